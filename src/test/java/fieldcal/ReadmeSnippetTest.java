@@ -90,7 +90,8 @@ class ReadmeSnippetTest {
         recording.packets().stream().map(p -> encoder.encode(p.packet())).toList();
     double now = recording.epoch().unixSeconds(0);
 
-    VisionDecoder decoder = new VisionDecoder(Epoch.atSecondOf(now)); // now: Unix time, s
+    Epoch epoch = Epoch.atSecondOf(now); // now: Unix time, s
+    VisionDecoder decoder = new VisionDecoder(epoch);
     Map<Integer, Camera> cameras = new HashMap<>();
     List<Kick> kicks = new ArrayList<>();
     KickFinder finder = new KickFinder(KickFinderSettings.defaults(), kicks::add);
@@ -186,17 +187,18 @@ class ReadmeSnippetTest {
       vision.frame().ifPresent(monitor::accept);
     }
 
-    LiveSnapshot now = monitor.snapshot(); // from any thread, immutable
-    ParameterEstimate roll = now.ball().of(BallParameter.ACC_ROLL);
+    LiveSnapshot snapshot = monitor.snapshot(); // from any thread, immutable
+    ParameterEstimate roll = snapshot.ball().of(BallParameter.ACC_ROLL);
     double accRoll = roll.enough() ? roll.median() : model.accRoll(); // from 31 kicks on
-    Optional<TeamLimits> opponent = Optional.ofNullable(now.movement().limits().get(Team.BLUE));
+    Optional<TeamLimits> opponent =
+        Optional.ofNullable(snapshot.movement().limits().get(Team.BLUE));
 
     monitor.finish();
     Map<String, Object> kept = LiveStateDocument.of(monitor.samples()); // for any JSON library
 
     fits.shutdown();
-    assertThat(now.frames()).isGreaterThan(1000);
-    assertThat(now.ball().counts().found()).isPositive();
+    assertThat(snapshot.frames()).isGreaterThan(1000);
+    assertThat(snapshot.ball().counts().found()).isPositive();
     assertThat(accRoll).isEqualTo(model.accRoll());
     assertThat(opponent).isNotNull();
     assertThat(kept).containsKey("samples");

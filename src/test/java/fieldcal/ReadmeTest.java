@@ -89,6 +89,19 @@ class ReadmeTest {
 
   /** Whoever stands at the field reads it once; everything else is in docs/. */
   @Test
+  void howLongADiagnosisTakesIsSaidInOneSentence() throws IOException {
+    for (String file :
+        List.of(
+            "docs/operator.md",
+            "docs/diagnosis.md",
+            "src/app/resources/fieldcal/app/console/diagnosis.js")) {
+      assertThat(Files.readString(Documents.PROJECT.resolve(file)))
+          .as(file)
+          .contains("takes some seconds; chips with several causes take some minutes.");
+    }
+  }
+
+  @Test
   void theReadmeIsShort() throws IOException {
     assertThat(Files.readString(README).strip().split("\\s+")).hasSizeLessThanOrEqualTo(1500);
   }

@@ -59,8 +59,7 @@ public final class TwoSigma {
   private static String distance(Sample s, double sigmas) {
     return sigmas > LIMIT
         ? String.format(Locale.ROOT, "%s is %.1f σ from the mean", s.fieldName(), sigmas)
-        : s.fieldName()
-            + " was more than 2 σ from the mean when it was excluded; the mean has changed since";
+        : s.fieldName() + " was excluded earlier; the mean has moved since";
   }
 
   /**

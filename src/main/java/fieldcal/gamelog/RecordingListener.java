@@ -33,6 +33,9 @@ public interface RecordingListener {
    */
   default void onLost(double receivedTime) {}
 
+  /** The recording says that its field was simulated ({@link RecordingOrigin}). */
+  default void onSimulationMark() {}
+
   /**
    * A message of the referee, some ten times a second.
    *

@@ -219,6 +219,8 @@ public final class RecordingReader implements Closeable {
         // Fillers and indices are counted by type; nothing else in them is needed.
         if (RecordingGap.isMark(log)) {
           listener.onLost(received);
+        } else if (RecordingOrigin.isSimulationMark(log)) {
+          listener.onSimulationMark();
         }
       }
     }

@@ -113,6 +113,7 @@ public sealed interface Reason {
    * @param joint value from the joint fit, in the same unit
    * @param standardErrors how far apart they are, in units of their combined standard error
    * @param percent how far apart they are, percent of the mean
+   * @param withoutExcluded whether the mean's standard error is smaller here than the reported one, because it leaves out the part that allows for excluded values
    */
   record MeanAgainstJoint(
       KickKind kind,
@@ -120,7 +121,8 @@ public sealed interface Reason {
       double mean,
       double joint,
       double standardErrors,
-      double percent)
+      double percent,
+      boolean withoutExcluded)
       implements OfModel {
     @Override
     public PublishDecision decision() {

@@ -230,13 +230,20 @@ public final class VerdictRule {
   /** Both weigh the kicks differently; where the model holds for all of them, they agree within their errors, and within the precision that is asked of the mean. */
   private void compare(KickKind kind, String parameter, Average mean, Estimate joint) {
     double apart = Math.abs(mean.mean() - joint.value());
-    double sigmas = apart / Math.hypot(byChance(kind, parameter, mean), joint.standardError());
+    double byChance = byChance(kind, parameter, mean);
+    double sigmas = apart / Math.hypot(byChance, joint.standardError());
     double percent = 100 * apart / Math.abs(mean.mean());
     boolean significant = sigmas > APART_SIGMAS && percent > APART_PERCENT;
     if (significant || percent > LARGEST_ERROR_PERCENT) {
       reasons.add(
           new Reason.MeanAgainstJoint(
-              kind, parameter, mean.mean(), joint.value(), sigmas, percent));
+              kind,
+              parameter,
+              mean.mean(),
+              joint.value(),
+              sigmas,
+              percent,
+              byChance < mean.standardError()));
     }
   }
 

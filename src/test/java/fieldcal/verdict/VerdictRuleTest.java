@@ -155,7 +155,8 @@ class VerdictRuleTest {
                 CameraViews.of(List.of()),
                 1));
     assertThat(verdict.decision()).isEqualTo(PublishDecision.CHECK_FIRST);
-    assertThat(verdict.reasons()).anyMatch(r -> r instanceof Reason.MeanAgainstJoint);
+    assertThat(verdict.reasons())
+        .anyMatch(r -> r instanceof Reason.MeanAgainstJoint m && m.withoutExcluded());
   }
 
   @Test

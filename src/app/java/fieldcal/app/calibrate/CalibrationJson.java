@@ -119,10 +119,13 @@ final class CalibrationJson {
       node.set("standard_errors", nodes.objectNode());
     }
     node.put("selected", calibrated.selected());
-    node.put("rejected_because", calibrated.rejected().orElse(null));
+    node.put(
+        "rejected_because", calibrated.rejected().map(ParameterWords::spelledOut).orElse(null));
     ObjectNode dropped = nodes.objectNode();
     for (Sample s : calibrated.samples()) {
-      s.dropped().ifPresent(reason -> dropped.put(ParameterWords.inFiles(s.parameter()), reason));
+      s.dropped()
+          .map(ParameterWords::spelledOut)
+          .ifPresent(reason -> dropped.put(ParameterWords.inFiles(s.parameter()), reason));
     }
     node.set("dropped_parameters", dropped);
     outcome.command(kick).ifPresent(c -> node.set("commanded", commanded(c)));

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.calibration.CalibratedKick;
 import fieldcal.calibration.Calibration;
 import fieldcal.calibration.HandSelection;
@@ -141,7 +142,7 @@ public final class SelectionFile {
               : selection.droppedBecause(key).isPresent() ? "drop" : "auto");
       selection
           .droppedBecause(key)
-          .or(kick::rejected)
+          .or(() -> kick.rejected().map(ParameterWords::spelledOut))
           .ifPresent(reason -> entry.put("reason", reason));
       strangers.keySet().removeIf(other -> HandSelection.same(other, key));
     }

@@ -1,5 +1,6 @@
 package fieldcal.app.cli;
 
+import fieldcal.app.wording.ClockWords;
 import fieldcal.gamelog.CameraStatistics;
 import fieldcal.gamelog.ClockComparison;
 import java.util.ArrayList;
@@ -51,11 +52,9 @@ final class ClockNotes {
     }
     if (Math.abs(camera.clockRate() - 1) > ClockComparison.NOTABLE_RATE) {
       notes.add(
-          String.format(
-              Locale.ROOT,
-              "one second of the clock lasts %.3f s on the recorder's clock; if the camera's clock"
-                  + " is wrong, all speeds are wrong, too",
-              camera.clockRate()));
+          "the clock "
+              + ClockWords.rate(camera.clockRate())
+              + "; if the camera's clock is wrong, all speeds are wrong, too");
     }
     return notes;
   }

@@ -24,6 +24,7 @@ final class InfoJson {
     ObjectNode root = mapper.createObjectNode();
     root.put("schema", "fieldcal.info/1");
     root.put("source", info.file().toString());
+    root.put("simulated", info.simulated());
     root.put("file_bytes", summary.fileBytes());
     root.put("log_bytes", summary.logBytes());
     put(root, "start_unix", summary.epoch().unixSeconds(summary.firstTime()));

@@ -35,6 +35,7 @@ final class InfoText {
   void print(RecordingInfo info) {
     line("%s", Harmless.line(info.file().toString()));
     printRecording(info.summary());
+    entry("origin", origin(info));
     info.summary()
         .geometry()
         .ifPresentOrElse(this::printGeometry, () -> entry("field", "no geometry"));
@@ -67,6 +68,18 @@ final class InfoText {
         summary.messages().entrySet().stream()
             .map(type -> type.getKey() + " " + type.getValue())
             .collect(Collectors.joining(", ")));
+  }
+
+  /** Where it is from, and how that is known: the verdict on a model depends on it. */
+  private static String origin(RecordingInfo info) {
+    if (info.marked()) {
+      return "simulated field: the recording is marked as such";
+    }
+    return info.simulated()
+        ? "simulated field: "
+            + Harmless.line(info.truth().getFileName().toString())
+            + " is beside it"
+        : "counts as a real field: nothing marks it as simulated";
   }
 
   private void printGeometry(FieldGeometry geometry) {

@@ -13,6 +13,7 @@ import fieldcal.movement.TurnLimits;
 import fieldcal.vision.Team;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -33,6 +34,10 @@ final class LimitsText {
       team(outcome.limits(team));
     }
     line("");
+    if (Arrays.stream(Team.values()).anyMatch(team -> hasLeagues(outcome.limits(team)))) {
+      sentence("%s", LimitWords.LEAGUES_ESTIMATE);
+      line("");
+    }
     for (Team team : Team.values()) {
       verdict(outcome.nameOf(team), outcome.limits(team));
     }
@@ -76,6 +81,12 @@ final class LimitsText {
         && limits.acceleration().samples() == 0
         && limits.braking().samples() == 0
         && limits.turning().turns() == 0;
+  }
+
+  private static boolean hasLeagues(TeamLimits limits) {
+    return limits.leagueVelocity().known()
+        || limits.leagueAcceleration().known()
+        || limits.leagueBraking().known();
   }
 
   private void turning(String name, LimitEstimate own) {
@@ -146,7 +157,7 @@ final class LimitsText {
       }
     }
     if (limits.deviations().isEmpty() && limits.envelopes().stream().noneMatch(Envelope::shaped)) {
-      sentence("%s: one limit holds for all speeds and directions.", team);
+      sentence("%s: %s.", team, LimitWords.oneLimit(limits));
     }
     for (RobotDifference r : limits.robots()) {
       sentence("%s: %s.", team, LimitWords.sentence(r));

@@ -1,6 +1,7 @@
 package fieldcal.app.cli;
 
 import fieldcal.app.recording.LogOpener;
+import fieldcal.app.recording.RecordingFacts;
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
 import fieldcal.gamelog.CameraStatistics;
@@ -15,9 +16,11 @@ import fieldcal.gamelog.TrackerFrame;
 import fieldcal.gamelog.TrackerStatistics;
 import fieldcal.vision.VisionFrame;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
  * What {@code info} tells of a recording.
@@ -26,11 +29,13 @@ import java.util.Optional;
  * @param summary what was read
  * @param cameras the cameras that sent frames
  * @param referee what the referee did
+ * @param marked whether the recording says that its field was simulated
  * @param trackers teams and automatic referees that sent tracked frames
  */
 record RecordingInfo(
     Path file,
     RecordingSummary summary,
+    boolean marked,
     List<CameraStatistics> cameras,
     Optional<RefereeStatistics> referee,
     List<TrackerStatistics> trackers) {
@@ -40,14 +45,23 @@ record RecordingInfo(
       throws IOException {
     try (RecordingReader reader = opener.recording(file)) {
       RecordingStatistics statistics = new RecordingStatistics();
-      RecordingSummary summary = read(reader, statistics, progress);
+      AtomicBoolean marked = new AtomicBoolean();
+      RecordingSummary summary = read(reader, statistics, marked, progress);
       return new RecordingInfo(
-          file, summary, statistics.cameras(), statistics.referee(), statistics.trackers());
+          file,
+          summary,
+          marked.get(),
+          statistics.cameras(),
+          statistics.referee(),
+          statistics.trackers());
     }
   }
 
   private static RecordingSummary read(
-      RecordingReader reader, RecordingStatistics statistics, TerminalProgress progress)
+      RecordingReader reader,
+      RecordingStatistics statistics,
+      AtomicBoolean marked,
+      TerminalProgress progress)
       throws GameLogException {
     return reader.read(
         new RecordingListener() {
@@ -59,6 +73,11 @@ record RecordingInfo(
           @Override
           public void onClockJump(int cameraId, double jump) {
             statistics.onClockJump(cameraId, jump);
+          }
+
+          @Override
+          public void onSimulationMark() {
+            marked.set(true);
           }
 
           @Override
@@ -81,6 +100,16 @@ record RecordingInfo(
             progress.at(bytesRead, totalBytes);
           }
         });
+  }
+
+  /** Whether the field counts as simulated, by the rule of the verdict. */
+  boolean simulated() {
+    return marked || Files.exists(truth());
+  }
+
+  /** Where the truth of a simulated field would be. */
+  Path truth() {
+    return RecordingFacts.truthOf(file);
   }
 
   /** What the operator should know of a camera's published pose; empty if all is well. */

@@ -10,7 +10,35 @@ import java.util.Locale;
 
 /** What one limit for all speeds and directions gets wrong, in words and sizes an operator knows. */
 public final class LimitWords {
+  /** What the estimate beside fieldcal's own is. */
+  public static final String LEAGUES_ESTIMATE =
+      "The league's estimate is the 99.5th percentile (velocity), the 75th (acceleration) or the"
+          + " 95th (braking) of differences between frames that are five apart; it contains the"
+          + " noise of the cameras.";
+
   private LimitWords() {}
+
+  /**
+   * What holds for a team whose limits depend on nothing, as far as its manoeuvres show it.
+   *
+   * @param limits of the team
+   * @return for example {@code no difference between the speeds that were driven, nor between the directions that were measured (2 of 36)}
+   */
+  public static String oneLimit(TeamLimits limits) {
+    int measured = limits.envelopes().stream().mapToInt(e -> e.points().size()).max().orElse(0);
+    if (measured == Envelope.DIRECTIONS) {
+      return "one limit holds for all speeds and directions";
+    }
+    String speeds = "no difference between the speeds that were driven";
+    return measured < 2
+        ? speeds + "; too few manoeuvres to compare directions"
+        : String.format(
+            Locale.ROOT,
+            "%s, nor between the directions that were measured (%d of %d)",
+            speeds,
+            measured,
+            Envelope.DIRECTIONS);
+  }
 
   /**
    * How a limit depends on the direction.

@@ -35,11 +35,13 @@ final class LimitsPage {
       @Rounded(3) double noiseMm,
       @Rounded(3) double standingNoiseMm,
       List<TeamView> teams,
+      String leaguesEstimate,
       Picture standing,
       List<Problem> problems) {}
 
   private record TeamView(
       String team,
+      String oneLimit,
       Estimate velocity,
       Estimate acceleration,
       Estimate braking,
@@ -142,6 +144,7 @@ final class LimitsPage {
             outcome.noiseMm(),
             outcome.statistics().standingNoiseMm(),
             teams,
+            LimitWords.LEAGUES_ESTIMATE,
             Picture.of(outcome.statistics().standing()),
             outcome.problems().stream().map(Problem::of).toList());
     return PAGE.html(title(outcome), contents).getBytes(StandardCharsets.UTF_8);
@@ -172,6 +175,7 @@ final class LimitsPage {
   private static TeamView view(String name, TeamLimits limits, TeamStatistics statistics) {
     return new TeamView(
         name,
+        LimitWords.oneLimit(limits),
         Estimate.of(limits.velocity()),
         Estimate.of(limits.acceleration()),
         Estimate.of(limits.braking()),

@@ -2,6 +2,7 @@ package fieldcal.app.recording;
 
 import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.CameraName;
+import fieldcal.app.wording.ClockWords;
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
 import fieldcal.effect.ObservedCamera;
@@ -272,11 +273,7 @@ public final class KickCollector {
   /** The fit uses the cameras' seconds alone; when they are none, speeds and accelerations are wrong. */
   private void addClock(Path log, int camera, ClockComparison clock) {
     if (clock.ratesDiffer()) {
-      String what =
-          String.format(
-              Locale.ROOT,
-              "one second of its time stamps lasts %.3f s on the recorder's clock",
-              clock.rate());
+      String what = "vision's clock " + ClockWords.rate(clock.rate());
       String advice = "if vision's clock is wrong, speeds and accelerations are wrong, too";
       problems.add(new DataProblem(log + ", camera " + camera, what, 1, advice));
     }

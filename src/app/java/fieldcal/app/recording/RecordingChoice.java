@@ -101,7 +101,7 @@ public record RecordingChoice(List<Entry> entries) {
                             s.width()))
                 .orElse("from another field");
         case OTHER_CAMERAS ->
-            "every camera was calibrated again, or the recording is from another field";
+            "its cameras do not match: another field, or all were calibrated again";
       };
     }
   }

@@ -145,8 +145,18 @@ public record RecordingFacts(
   }
 
   private static boolean hasTruth(Path log) {
+    return Files.exists(truthOf(log));
+  }
+
+  /**
+   * The file that holds the truth of a simulated recording; a recording beside which it lies counts as simulated.
+   *
+   * @param log the recording
+   * @return where that file would be
+   */
+  public static Path truthOf(Path log) {
     String name = log.getFileName().toString().replaceFirst("\\.log(\\.gz)?$", "");
-    return Files.exists(log.resolveSibling(name + ".truth.json"));
+    return log.resolveSibling(name + ".truth.json");
   }
 
   /** One pass over the messages. */

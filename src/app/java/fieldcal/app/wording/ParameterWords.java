@@ -21,7 +21,7 @@ public final class ParameterWords {
           WORDS.keySet().stream()
               .map(ParameterWords::inFiles)
               .sorted()
-              .collect(Collectors.joining("|", "\\b(", ")\\b")));
+              .collect(Collectors.joining("|", "(?<!\\()\\b(", ")\\b")));
 
   private ParameterWords() {}
 
@@ -71,7 +71,7 @@ public final class ParameterWords {
   }
 
   /**
-   * Spells out the parameters that a note of the library names as files do.
+   * Spells out the parameters that a note of the library names as files do. What is spelled out already, with the name in brackets, remains.
    *
    * @param note for example {@code acc_slide is 2.3 σ from the mean}
    * @return for example {@code sliding deceleration (acc_slide) is 2.3 σ from the mean}

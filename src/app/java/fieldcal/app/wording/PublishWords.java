@@ -215,13 +215,14 @@ public record PublishWords(
     if (alike.size() == 1) {
       Reason.MeanAgainstJoint m = (Reason.MeanAgainstJoint) alike.get(0);
       return text(
-              "The %s is %s as the mean of the kicks, but %s in the joint fit: %.0f %% and %.1f"
+              "The %s is %s as the mean of the kicks, but %s in the joint fit: %.0f %% and %s"
                   + " standard errors apart.",
               ParameterWords.of(m.parameter()),
               value(m.parameter(), m.mean()),
               value(m.parameter(), m.joint()),
               m.percent(),
-              m.standardErrors())
+              sigmas(m))
+          + whichErrors(alike)
           + NO_SINGLE_VALUE;
     }
     return "The mean of the kicks and the joint fit disagree: "
@@ -230,6 +231,7 @@ public record PublishWords(
             .map(PublishWords::bothValues)
             .collect(Collectors.joining("; "))
         + "."
+        + whichErrors(alike)
         + NO_SINGLE_VALUE;
   }
 
@@ -238,13 +240,16 @@ public record PublishWords(
     if (alike.size() == 1) {
       Reason.MeanAgainstJoint m = (Reason.MeanAgainstJoint) alike.get(0);
       return text(
-          "The kicks do not determine the %s: it is %s as the mean of the kicks and %s in the joint"
-              + " fit. These differ by %.0f %%, which is only %.1f standard errors.",
-          ParameterWords.of(m.parameter()),
-          value(m.parameter(), m.mean()),
-          value(m.parameter(), m.joint()),
-          m.percent(),
-          m.standardErrors());
+              "The kicks do not determine the %s: it is %s as the mean of the kicks and %s in the"
+                  + " joint fit. They differ by %.0f %%, %s standard errors; up to %.0f may be"
+                  + " chance.",
+              ParameterWords.of(m.parameter()),
+              value(m.parameter(), m.mean()),
+              value(m.parameter(), m.joint()),
+              m.percent(),
+              sigmas(m),
+              VerdictRule.APART_SIGMAS)
+          + whichErrors(alike);
     }
     return "The kicks do not determine some parameters. The mean of the kicks and the joint fit"
         + " differ by no more than their errors allow: "
@@ -252,18 +257,43 @@ public record PublishWords(
             .map(Reason.MeanAgainstJoint.class::cast)
             .map(PublishWords::bothValues)
             .collect(Collectors.joining("; "))
-        + ".";
+        + "."
+        + whichErrors(alike);
+  }
+
+  /** With so many digits, and rounded so, that it does not read as the limit from which it is more than chance. */
+  private static String sigmas(Reason.MeanAgainstJoint m) {
+    String plain = text("%.1f", m.standardErrors());
+    if (!plain.equals(text("%.1f", VerdictRule.APART_SIGMAS))) {
+      return plain;
+    }
+    double limit = VerdictRule.APART_SIGMAS;
+    double shown =
+        m.beyondChance()
+            ? Math.max(m.standardErrors(), limit + 0.01)
+            : Math.min(m.standardErrors(), limit - 0.01);
+    return text("%.2f", shown);
+  }
+
+  /** The table beside the reasons shows a larger error of the mean. */
+  private static String whichErrors(List<Reason> alike) {
+    return alike.stream()
+            .map(Reason.MeanAgainstJoint.class::cast)
+            .anyMatch(Reason.MeanAgainstJoint::withoutExcluded)
+        ? " The standard error shown beside the mean is larger, since it also allows for the"
+            + " excluded kicks."
+        : "";
   }
 
   private static String bothValues(Reason.MeanAgainstJoint m) {
     return text(
-        "the %s is %s as the mean, but %s in the joint fit (%.0f %% and %.1f standard errors"
+        "the %s is %s as the mean, but %s in the joint fit (%.0f %% and %s standard errors"
             + " apart)",
         ParameterWords.of(m.parameter()),
         value(m.parameter(), m.mean()),
         value(m.parameter(), m.joint()),
         m.percent(),
-        m.standardErrors());
+        sigmas(m));
   }
 
   private static <R extends Reason> String joined(

@@ -11,20 +11,16 @@ final class VisionFaultWords {
   static String sentence(VisionFault fault) {
     if (fault instanceof VisionFault.ClockRate clock) {
       double wrong = 100 * Math.abs(1 - clock.rate() * clock.rate());
-      String rates =
-          String.format(
-              Locale.ROOT,
-              "%s: one second of the time stamps lasts %.3f s on the recorder's clock.",
-              cameras(clock.cameras()),
-              clock.rate());
-      return rates
-          + String.format(
-              Locale.ROOT,
-              clock.simulator()
-                  ? " A simulator may run slower or faster than real time, so this does no harm"
-                      + " there; on a real field, accelerations would be %.0f %% wrong."
-                  : " If vision's clock is wrong, accelerations are %.0f %% wrong.",
-              wrong);
+      return cameras(clock.cameras())
+          + ": vision's clock "
+          + ClockWords.rate(clock.rate())
+          + "."
+          + (clock.simulator()
+              ? " In a simulator this does no harm; on a real field, find out which clock is wrong."
+              : String.format(
+                  Locale.ROOT,
+                  " If vision's clock is wrong, accelerations are %.0f %% wrong.",
+                  wrong));
     }
     VisionFault.MixedUp mixed = (VisionFault.MixedUp) fault;
     String cameras = cameras(mixed.cameras());

@@ -52,7 +52,7 @@ export function diagnosisPage(app) {
     if (running()) rows.push(el('p', {}, state().work.text + ' '), progress(state().work.done, state().work.total));
     else if (failure) rows.push(el('p', {class: 'notice bad'}, failure));
     if (!note()) {
-      if (!running()) rows.push(el('p', {}, 'Finds what the calibrated model gets wrong, which causes explain it, and what is gained by knowing them. It uses the ' + used + ' kicks that are not dropped by hand. It takes some seconds, or some minutes where many kicks show several causes.'));
+      if (!running()) rows.push(el('p', {}, 'Finds what the calibrated model gets wrong, which causes explain it, and what is gained by knowing them. It uses the ' + used + ' kicks that are not dropped by hand. It takes some seconds; chips with several causes take some minutes.'));
     } else {
       const [level, mark] = markOf(note().verdict);
       rows.push(el('p', {id: 'headline', class: 'headline ' + level}, mark + ' ' + note().headline));

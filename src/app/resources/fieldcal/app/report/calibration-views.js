@@ -76,13 +76,14 @@ const CalibrationViews = (() => {
     const body = report.models.flatMap(model => {
       const kicks = report.kicks.filter(k => k.kind === model.kind);
       const used = kicks.filter(k => k.selected).length;
-      const group = (model.kind === 'FLAT' ? 'Flat' : 'Chip') + ' — ' + used + ' of ' + kicks.length + (kicks.length === 1 ? ' kick' : ' kicks') + ' used; n: kicks whose value is in the mean' + (known(model.jointRmsMm) ? '; joint fit ' + number(model.jointRmsMm, 2) + ' mm rms per axis with values of its own for each kick' : '');
+      const group = (model.kind === 'FLAT' ? 'Flat' : 'Chip') + ' — ' + used + ' of ' + kicks.length + (kicks.length === 1 ? ' kick' : ' kicks') + ' used';
       return [el('tr', {class: 'group'}, el('th', {colspan: 6}, el('span', {}, group))), ...model.parameters.map(modelRow)];
     });
     const head = ['Parameter', 'Mean ± s.e.', 'n', 'Joint fit', 'Published', 'Difference'];
     return [
       Frame.copyButton(() => modelAsText(report), 'the table, for a spreadsheet'),
       el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i ? null : 'text'}, h)))), el('tbody', {}, body))),
+      el('p', {class: 'note'}, ['n: kicks whose value is in the mean.', ...report.models.filter(model => known(model.jointRmsMm)).map(model => 'Joint fit of the ' + (model.kind === 'FLAT' ? 'flat kicks' : 'chips') + ': ' + number(model.jointRmsMm, 2) + ' mm rms per axis, with values of its own for each kick.')].join(' ')),
       ...report.models.flatMap(model => [model.note, ...model.parameters.filter(p => p.note).map(p => Plots.inFiles(p.name) + ': ' + p.note)]).filter(Boolean).map(note => el('p', {class: 'note'}, note)),
       ...(report.models.some(model => model.parameters.some(p => known(p.differencePercent))) ? [el('p', {class: 'note'}, 'Difference: the mean against the published value. ≈: less than ' + NOTABLE_PERCENT + ' %, or less than three standard errors. Grey: ' + LARGE_PERCENT + ' % or more, but less than three standard errors; more kicks would show which is right. ▲ larger, ▼ smaller in size. Red: 20 % or more.')] : [])];
   }

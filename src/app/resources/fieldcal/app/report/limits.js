@@ -35,7 +35,7 @@
       }
       const numbers = KINDS.map(([key, label, unit]) => label.toLowerCase() + (team[key].reached || !known(team[key].value) ? ' ' : ' at least ') + withError(team[key].value, team[key].standardError, unit));
       const shaped = team.envelopes.filter(e => e.shaped);
-      const what = team.effects.length === 0 ? shaped.length > 0 ? 'the limit depends on the direction.' : 'one limit holds for all speeds and directions.'
+      const what = team.effects.length === 0 ? shaped.length > 0 ? 'the limit depends on the direction.' : team.oneLimit + '.'
         : team.effects.map(e => 'it ' + e.sentence + ' (' + e.effect + ', coefficient ' + withError(e.coefficient, e.standardError) + '; seen in ' + e.seenIn + ': '
           + number(100 * e.shareWith, 0) + ' % of the manoeuvres are at the limit with it, ' + number(100 * e.shareWithout, 0) + ' % without)').join('; ') + '.';
       lines.push(el('p', {}, el('b', {}, name), ': ' + numbers.join(', ') + '; ' + what));
@@ -63,7 +63,7 @@
     }));
     content('limits').replaceChildren(Frame.cards(el('table', {},
       el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i < 2 ? 'text' : null}, h)))), el('tbody', {}, rows))),
-      el('p', {class: 'note'}, 'The estimate is the value at which fitted manoeuvres cluster, with its standard error. The league’s estimate is the 99.5th percentile (velocity), the 75th (acceleration) or the 95th (braking) of differences between frames that are five apart; it contains the noise of the cameras.'));
+      el('p', {class: 'note'}, 'The estimate is the value at which fitted manoeuvres cluster, with its standard error. ' + report.leaguesEstimate));
   }
 
   // ---- pictures ----

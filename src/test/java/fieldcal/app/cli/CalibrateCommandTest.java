@@ -145,7 +145,8 @@ class CalibrateCommandTest {
     String out = run("calibrate", flat.toString()).out();
     assertThat(out)
         .startsWith("Verdict: check first. Run diagnose")
-        .contains("  - Cameras 0, 1, 2 and 3: one second of the time stamps lasts 1.035 s");
+        .contains(
+            "  - Cameras 0, 1, 2 and 3: vision's clock runs 3.3 % slower than the recorder's.");
   }
 
   private static JsonNode json(Path file) throws IOException {
@@ -235,6 +236,9 @@ class CalibrateCommandTest {
     assertThat(kick.get("selected").isBoolean()).isTrue();
     assertThat(kick.has("rejected_because")).isTrue();
     assertThat(kick.get("rejected_because").isNull()).isEqualTo(kick.get("selected").asBoolean());
+    assertThat(kick.get("rejected_because").asText() + kick.get("dropped_parameters"))
+        .as("parameters are named as on the terminal")
+        .doesNotContainPattern("(?<!\\()\\b(acc_slide|acc_roll|k_switch) ");
     assertThat(kick.get("commanded").get("speed").isDouble()).isTrue();
   }
 

@@ -45,9 +45,9 @@ class ClockNotesTest {
     assertThat(lines(camera(0, 3, 1), camera(1, 0.02, 0.98), camera(3, 3, 1.02), camera(4, 0, 1)))
         .containsExactly(
             "cameras 0, 3: the clock is 3.0 s behind the recorder's, so the latency is not known",
-            "camera 1: one second of the clock lasts 0.980 s on the recorder's clock; if the"
-                + " camera's clock is wrong, all speeds are wrong, too",
-            "camera 3: one second of the clock lasts 1.020 s on the recorder's clock; if the"
-                + " camera's clock is wrong, all speeds are wrong, too");
+            "camera 1: the clock runs 2.0 % faster than the recorder's; if the camera's clock is"
+                + " wrong, all speeds are wrong, too",
+            "camera 3: the clock runs 2.0 % slower than the recorder's; if the camera's clock is"
+                + " wrong, all speeds are wrong, too");
   }
 }

@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import fieldcal.gamelog.GameLogWriter;
 import fieldcal.gamelog.MessageType;
+import fieldcal.gamelog.RecordingOrigin;
 import fieldcal.proto.TrackedFrame;
 import fieldcal.proto.TrackerWrapperPacket;
 import java.io.IOException;
@@ -47,7 +48,8 @@ class InfoCommandTest {
             "flat model +sliding deceleration −\\d\\.\\d{3} m/s², rolling deceleration −0\\.\\d{3}"
                 + " m/s², switch to rolling 0\\.\\d{3}")
         .contains("only the published position is used")
-        .contains("referee     silent");
+        .contains("referee     silent")
+        .contains("origin      counts as a real field: nothing marks it as simulated");
     assertThat(err.toString()).isEmpty();
   }
 
@@ -76,6 +78,26 @@ class InfoCommandTest {
     assertThat(info.get("geometry").get("models").get("chip").get("damping_z").asDouble())
         .isEqualTo(0.47);
     assertThat(info.get("referee").isNull()).isTrue();
+    assertThat(info.get("simulated").asBoolean()).isTrue();
+  }
+
+  /** The verdict depends on it, whichever of the two marks there is. */
+  @Test
+  void whereARecordingIsFromIsSaidWithTheMark() throws IOException {
+    Path log = folder.resolve("field.log");
+    try (GameLogWriter writer = GameLogWriter.create(log)) {
+      writer.write(1_763_712_345_000_000_000L, MessageType.BLANK, RecordingOrigin.simulationMark());
+    }
+    assertThat(run("info", log.toString())).isZero();
+    assertThat(out.toString())
+        .contains("origin      simulated field: the recording is marked as such");
+
+    Path beside = folder.resolve("other.log");
+    GameLogWriter.create(beside).close();
+    Files.writeString(folder.resolve("other.truth.json"), "{}");
+    assertThat(run("info", beside.toString())).isZero();
+    assertThat(out.toString())
+        .contains("origin      simulated field: other.truth.json is beside it");
   }
 
   @Test

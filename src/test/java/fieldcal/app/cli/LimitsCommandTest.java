@@ -207,7 +207,9 @@ class LimitsCommandTest {
     Path out = folder.resolve("out");
     Answer answer = run("limits", first, "--out=" + out);
     assertThat(answer.exit()).as(answer.err()).isZero();
-    assertThat(answer.out()).contains("yellow", "blue", "braking", "turning, rad/s", "limits.html");
+    assertThat(answer.out())
+        .contains("yellow", "blue", "braking", "turning, rad/s", "limits.html")
+        .contains("The league's estimate is the 99.5th percentile");
     assertThat(answer.out()).doesNotContain("NaN");
     String page = Files.readString(out.resolve("limits.html"));
     assertThat(page).contains("Movement limits").doesNotContain("{{");

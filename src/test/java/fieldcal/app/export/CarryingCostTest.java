@@ -42,6 +42,17 @@ class CarryingCostTest {
     assertThat(notes).anyMatch(n -> n.contains("calibrate without --model"));
   }
 
+  /** The part costs more than the whole, and diagnose has a third number: a reader must not have to guess why. */
+  @Test
+  void partAndWholeAreRelated() throws IOException {
+    String related = "The calibrated parameters make up for a part of what is not carried.";
+    assertThat(notes("ssl-vision", "calibration.json", "extended_model.json"))
+        .anyMatch(n -> n.startsWith("Not carried: air drag") && n.contains("That alone costs"))
+        .anyMatch(n -> n.startsWith("In all") && n.contains(related) && n.contains("diagnose"));
+    assertThat(notes("ssl-vision", "extended_model.json", null))
+        .noneMatch(n -> n.contains(related));
+  }
+
   @Test
   void aTargetThatHasAKeyCarriesTheEffect() throws IOException {
     List<String> notes = notes("immortals", "extended_model.json", null);

@@ -161,6 +161,28 @@ class TargetsTest {
         .containsExactly("-3.40", "-0.45", "0.64", "0.55", ".88", "5.4e-1");
   }
 
+  /** An operator enters the values by hand, under the names that SSL-Vision shows. */
+  @Test
+  void theOperatorsGuideHasTheNamesOfSslVision() throws IOException {
+    String guide =
+        Files.readString(
+            Path.of(System.getProperty("fieldcal.projectDir", "."), "docs", "operator.md"));
+    for (TargetFile file : Target.of("ssl-vision").files()) {
+      for (Key key : file.keys()) {
+        int last = key.path().size() - 1;
+        assertThat(guide)
+            .contains(
+                "| `"
+                    + key.quantity()
+                    + "` | "
+                    + key.path().get(last - 1)
+                    + " | "
+                    + key.path().get(last)
+                    + " |");
+      }
+    }
+  }
+
   @Test
   void everyDescriptorSaysWhereItsKeysWereRead() {
     for (String name : Target.names()) {

@@ -11,6 +11,7 @@ import fieldcal.movement.TeamLimits;
 import fieldcal.movement.TurnLimits;
 import fieldcal.vision.Team;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 class LimitWordsTest {
@@ -20,22 +21,48 @@ class LimitWordsTest {
 
   private static String words(LimitEstimate braking, MovementEffect effect, String seenIn) {
     LimitDeviation deviation = new LimitDeviation(effect, 0.4, 0.01, seenIn, 0.3, 0.9);
-    TeamLimits limits =
-        new TeamLimits(
-            Team.BLUE,
-            of(3),
-            of(4),
-            braking,
-            of(3.1),
-            of(4.5),
-            of(8),
-            List.of(deviation),
-            List.of(),
-            new TurnLimits(of(10), of(40), of(40), 100),
-            List.of(),
-            List.of(),
-            100);
-    return LimitWords.sentence(limits, deviation);
+    return LimitWords.sentence(limits(braking, List.of(deviation), List.of()), deviation);
+  }
+
+  private static TeamLimits limits(
+      LimitEstimate braking, List<LimitDeviation> deviations, List<Envelope> envelopes) {
+    return new TeamLimits(
+        Team.BLUE,
+        of(3),
+        of(4),
+        braking,
+        of(3.1),
+        of(4.5),
+        of(8),
+        deviations,
+        List.of(),
+        new TurnLimits(of(10), of(40), of(40), 100),
+        envelopes,
+        List.of(),
+        100);
+  }
+
+  private static String oneLimit(int directions) {
+    List<Envelope.Point> points =
+        IntStream.range(0, directions)
+            .mapToObj(i -> new Envelope.Point(2 * Math.PI * i / Envelope.DIRECTIONS, 3, 0.1, 20))
+            .toList();
+    Envelope envelope = new Envelope("acceleration", points, 0.4, 0.4, false);
+    return LimitWords.oneLimit(limits(of(5), List.of(), List.of(envelope)));
+  }
+
+  /** "Known in 2 of 36 directions" and "one limit holds for all directions" contradict each other. */
+  @Test
+  void nothingIsSaidOfDirectionsThatWereNotMeasured() {
+    assertThat(oneLimit(2))
+        .isEqualTo(
+            "no difference between the speeds that were driven, nor between the directions that"
+                + " were measured (2 of 36)");
+    assertThat(oneLimit(1))
+        .isEqualTo(
+            "no difference between the speeds that were driven; too few manoeuvres to compare"
+                + " directions");
+    assertThat(oneLimit(36)).isEqualTo("one limit holds for all speeds and directions");
   }
 
   @Test

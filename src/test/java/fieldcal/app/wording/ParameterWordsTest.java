@@ -16,6 +16,8 @@ class ParameterWordsTest {
         "damping_xy_first_hop is 2.8 σ from the mean | horizontal damping at the first impact"
             + " (damping_xy_first_hop) is 2.8 σ from the mean",
         "damping_z is 3.0 σ from the mean | vertical damping (damping_z) is 3.0 σ from the mean",
+        "sliding deceleration (acc_slide) is 2.3 σ from the mean | sliding deceleration (acc_slide)"
+            + " is 2.3 σ from the mean",
         "by hand: the ball hit a robot | by hand: the ball hit a robot",
         "by hand: my_acc_slide_test | by hand: my_acc_slide_test",
       })

@@ -145,8 +145,10 @@ class PublishWordsTest {
             new PublishVerdict(
                 PublishDecision.CHECK_FIRST,
                 List.of(
-                    new Reason.MeanAgainstJoint(KickKind.FLAT, "accSlide", -3.38, -0.9, 4.2, 73),
-                    new Reason.MeanAgainstJoint(KickKind.CHIP, "dampingZ", 0.55, 0.6, 5.1, 9),
+                    new Reason.MeanAgainstJoint(
+                        KickKind.FLAT, "accSlide", -3.38, -0.9, 4.2, 73, false),
+                    new Reason.MeanAgainstJoint(
+                        KickKind.CHIP, "dampingZ", 0.55, 0.6, 5.1, 9, false),
                     new Reason.ManyExcluded(KickKind.FLAT, "kSwitch", 6, 17),
                     new Reason.Imprecise(KickKind.FLAT, "accSlide", 12.3, 10),
                     new Reason.Imprecise(KickKind.CHIP, "dampingZ", 23.1, 10)),
@@ -258,20 +260,23 @@ class PublishWordsTest {
   /** 0.8 standard errors apart is agreement, though 16 % is more than may be uncertain. */
   @Test
   void aParameterThatMayBeEitherValueIsNotDetermined() {
-    Reason switching = new Reason.MeanAgainstJoint(KickKind.FLAT, "kSwitch", 0.61, 0.71, 0.8, 16);
+    Reason switching =
+        new Reason.MeanAgainstJoint(KickKind.FLAT, "kSwitch", 0.61, 0.71, 0.8, 16, false);
     PublishWords words =
         PublishWords.of(new PublishVerdict(PublishDecision.CHECK_FIRST, List.of(switching), true));
     assertThat(words.reasons())
         .containsExactly(
             "The kicks do not determine the switch to rolling (k_switch): it is 0.610 as the mean"
-                + " of the kicks and 0.710 in the joint fit. These differ by 16 %, which is only"
-                + " 0.8 standard errors.");
+                + " of the kicks and 0.710 in the joint fit. They differ by 16 %, 0.8 standard"
+                + " errors; up to 3 may be chance.");
     assertThat(words.toDo())
         .containsExactly(
             "Run diagnose on these recordings: it looks for the cause.",
             "Record flat kicks that roll for two metres or more.");
-    Reason slide = new Reason.MeanAgainstJoint(KickKind.FLAT, "accSlide", -3.38, -2.9, 1.2, 14);
-    Reason damping = new Reason.MeanAgainstJoint(KickKind.CHIP, "dampingZ", 0.55, 0.6, 5.1, 9);
+    Reason slide =
+        new Reason.MeanAgainstJoint(KickKind.FLAT, "accSlide", -3.38, -2.9, 1.2, 14, false);
+    Reason damping =
+        new Reason.MeanAgainstJoint(KickKind.CHIP, "dampingZ", 0.55, 0.6, 5.1, 9, false);
     PublishWords several =
         PublishWords.of(
             new PublishVerdict(
@@ -289,6 +294,32 @@ class PublishWordsTest {
             "The vertical damping (damping_z) is 0.550 as the mean of the kicks, but 0.600 in the"
                 + " joint fit: 9 % and 5.1 standard errors apart. No single value describes all"
                 + " kicks.");
+  }
+
+  /** 2.98 is within the limit of 3, and must not read as the limit itself. */
+  @Test
+  void aDistanceBesideTheLimitHasDigitsEnough() {
+    assertThat(slide(2.98, false))
+        .endsWith("They differ by 15 %, 2.98 standard errors; up to 3 may be chance.");
+    assertThat(slide(2.998, false)).contains(", 2.99 standard errors;");
+    assertThat(slide(3, false)).contains(", 2.99 standard errors;");
+    assertThat(slide(3.001, false)).contains(" and 3.01 standard errors apart.");
+  }
+
+  /** The table beside the reasons shows ± 0.4661 m/s², from which a reader computes one standard error. */
+  @Test
+  void aSmallerErrorThanTheOneShownIsExplained() {
+    String explained =
+        " The standard error shown beside the mean is larger, since it also allows for the"
+            + " excluded kicks.";
+    assertThat(slide(2.98, true)).endsWith("may be chance." + explained);
+    assertThat(slide(4.2, true)).contains("apart." + explained + " No single value");
+  }
+
+  private static String slide(double standardErrors, boolean withoutExcluded) {
+    return reason(
+        new Reason.MeanAgainstJoint(
+            KickKind.FLAT, "accSlide", -3.102, -2.628, standardErrors, 15, withoutExcluded));
   }
 
   private static String reason(Reason reason) {
