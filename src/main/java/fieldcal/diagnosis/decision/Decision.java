@@ -109,9 +109,9 @@ public final class Decision {
       return most;
     }
 
-    /** What has no name: what is left, or the largest evidence of a learned curve of a component's kind. */
+    /** What has no name: what is left, the noise that kicks were given for it, or the largest evidence of a learned curve of a component's kind. */
     double unnamed(int i) {
-      double most = excess;
+      double most = Math.max(excess, Leftover.concealed(model));
       for (int j = 0; j < evidence.length; j++) {
         boolean curve = model.effects().get(j) instanceof LearnedTerm;
         most = curve && isCompared(i, j) ? Math.max(most, evidence[j]) : most;

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.UnaryOperator;
+import org.apache.commons.math3.stat.StatUtils;
 
 /**
  * How much of the residuals is not noise. Noise changes from one detection to the next; the error of a wrong model does not. So the sums over blocks of successive detections of one camera are compared with those of independent
@@ -56,6 +57,24 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
    */
   public static Leftover ofSeen(FittedModel model) {
     return of(model, model.reducedAsSeen(), KickRecord::asSeen);
+  }
+
+  /**
+   * What the noise that kicks were given beyond that of the cameras conceals, if they all conceal as much as most of them do: a few kicks that something happened to
+   * conceal nothing that a model lacks.
+   *
+   * @param model fitted to all kicks
+   * @return the part of the sum of all squares, in the units in which the model was fitted; 0 where most kicks have the noise of the cameras alone
+   */
+  public static double concealed(FittedModel model) {
+    int kicks = model.kickCount();
+    double[] of = new double[kicks];
+    for (int k = 0; k < kicks; k++) {
+      double times = model.kick(k).record().timesNoise();
+      double noise = model.kick(k).rows() / (times * times);
+      of[k] = times > 1 ? Math.max(0, model.solution().chiSquare(k) - noise) : 0;
+    }
+    return kicks == 0 ? 0 : kicks * StatUtils.percentile(of, 50);
   }
 
   private static Leftover of(FittedModel model, double reduced, UnaryOperator<KickRecord> noisy) {

@@ -8,6 +8,8 @@ import fieldcal.diagnosis.FittedField;
 import fieldcal.diagnosis.MovedBall;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
+import fieldcal.diagnosis.screening.KickScreen;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -67,5 +69,26 @@ class LeftoverTest {
     assertThat(seen.isSignificant()).isTrue();
     assertThat(seen.systematic()).isCloseTo(Leftover.of(plain).systematic(), withinPercentage(5));
     assertThat(Leftover.ofSeen(plain)).isEqualTo(Leftover.of(plain));
+  }
+
+  /** A cause at a place is not to be named for a small part of what is only called noise. */
+  @Test
+  void whatMostKicksCallNoiseIsConcealed() {
+    FittedModel plain = FittedField.flats("air_drag:cd=0.45").simple();
+    assertThat(Leftover.concealed(plain)).isZero();
+    FittedField field = FittedField.flats("air_drag:cd=0.45");
+    FittedModel deaf = field.simple(KickScreen.withWhatIsLeftAsNoise(plain));
+    assertThat(Leftover.concealed(deaf)).isGreaterThan(0.5 * deaf.solution().rows());
+    FittedField sound = FittedField.flats();
+    FittedModel same = sound.simple(KickScreen.withWhatIsLeftAsNoise(sound.simple()));
+    assertThat(Leftover.concealed(same)).isLessThan(0.1 * same.solution().rows());
+  }
+
+  @Test
+  void aTouchedKickConcealsNothingThatTheModelLacks() {
+    FittedField sound = FittedField.flats();
+    List<KickRecord> kicks = new ArrayList<>(sound.simple().records());
+    kicks.set(0, kicks.get(0).withNoise(5));
+    assertThat(Leftover.concealed(sound.simple(kicks))).isZero();
   }
 }
