@@ -20,7 +20,7 @@ class DiagnosisProgressTest {
             s ->
                 s.matches(
                     "searching for causes, attempt 1 of at most 6: 2 models tried so far, the"
-                        + " best leaves 1\\.0 times the noise"))
+                        + " residual of the best is 1\\.0 times the noise"))
         .contains("searching for causes, looking for simpler models")
         .contains("weighing the explanations, judging one effect");
     for (int i = 1; i < said.size(); i++) {

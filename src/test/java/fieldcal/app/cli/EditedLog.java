@@ -15,18 +15,28 @@ import java.util.List;
 import java.util.function.UnaryOperator;
 
 /** Copies of a game log in which every packet was looked at, and changed or left out. */
-final class EditedLog {
+public final class EditedLog {
   private static final Epoch EPOCH = Epoch.atSecondOf(1.7e9);
 
   private EditedLog() {}
 
-  /** The change answers {@link VisionPacket#EMPTY} for a packet to leave out. */
-  static Path copy(Path from, Path to, UnaryOperator<VisionPacket> change) throws IOException {
+  /** Other messages are kept. The change answers {@link VisionPacket#EMPTY} for a packet to leave out. */
+  public static Path copy(Path from, Path to, UnaryOperator<VisionPacket> change)
+      throws IOException {
     VisionDecoder decoder = new VisionDecoder(EPOCH);
     VisionEncoder encoder = new VisionEncoder(EPOCH);
     try (GameLogReader reader = GameLogReader.open(from);
         GameLogWriter writer = GameLogWriter.create(to)) {
       while (reader.next()) {
+        if (reader.type() != MessageType.SSL_VISION_2014) {
+          writer.write(
+              reader.receivedNanos(),
+              reader.type().code(),
+              reader.buffer(),
+              reader.payloadOffset(),
+              reader.payloadLength());
+          continue;
+        }
         VisionPacket packet =
             change.apply(
                 decoder.decode(reader.buffer(), reader.payloadOffset(), reader.payloadLength()));
@@ -49,5 +59,23 @@ final class EditedLog {
             f.cameraClockTime(),
             balls,
             f.robots()));
+  }
+
+  /** With its frame sent a millisecond later: the same kicks in other bytes. */
+  public static VisionPacket sentLater(VisionPacket packet) {
+    return packet
+        .frame()
+        .map(
+            f ->
+                VisionPacket.of(
+                    new VisionFrame(
+                        f.cameraId(),
+                        f.frameNumber(),
+                        f.captureTime(),
+                        f.sentTime() + 0.001,
+                        f.cameraClockTime(),
+                        f.balls(),
+                        f.robots())))
+        .orElse(packet);
   }
 }
