@@ -61,8 +61,8 @@ public final class EditedLog {
             f.robots()));
   }
 
-  /** With its frame sent a millisecond later: the same kicks in other bytes. */
-  public static VisionPacket sentLater(VisionPacket packet) {
+  /** With its frame taken and sent later, s: the same kicks in other bytes. */
+  public static VisionPacket later(VisionPacket packet, double by) {
     return packet
         .frame()
         .map(
@@ -71,8 +71,8 @@ public final class EditedLog {
                     new VisionFrame(
                         f.cameraId(),
                         f.frameNumber(),
-                        f.captureTime(),
-                        f.sentTime() + 0.001,
+                        f.captureTime() + by,
+                        f.sentTime() + by,
                         f.cameraClockTime(),
                         f.balls(),
                         f.robots())))

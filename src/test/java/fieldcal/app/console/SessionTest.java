@@ -284,7 +284,7 @@ class SessionTest {
     try (RunningConsole console = ready()) {
       int before = kicks(console.decide("{\"action\":\"drop\",\"kicks\":[1]}")).size();
       // The same bytes would be a copy, which is left out.
-      EditedLog.copy(log, session.resolve("second.log.gz"), EditedLog::sentLater);
+      EditedLog.copy(log, session.resolve("second.log.gz"), p -> EditedLog.later(p, 0.001));
       JsonNode state = console.state();
       assertThat(state.path("unread")).hasSize(1);
       assertThat(state.at("/unread/0").asText()).isEqualTo("second.log.gz");

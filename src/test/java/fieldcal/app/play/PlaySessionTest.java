@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.app.calibrate.CommandFile;
+import fieldcal.app.cli.EditedLog;
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.app.recording.KickCollector;
 import fieldcal.calibration.CalibratedKick;
@@ -18,8 +19,6 @@ import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.robot.RobotCharacter;
 import fieldcal.vision.Epoch;
-import fieldcal.vision.VisionFrame;
-import fieldcal.vision.VisionPacket;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -251,7 +250,7 @@ class PlaySessionTest {
             return jump[0]
                 + super.next(
                     (time, packet, payload) ->
-                        receiver.vision(time, later(packet, jump[0]), payload));
+                        receiver.vision(time, EditedLog.later(packet, jump[0]), payload));
           }
 
           @Override
@@ -269,23 +268,6 @@ class PlaySessionTest {
     PlaySession.Outcome outcome = session.run();
     assertThat(jump[0]).isEqualTo(3600);
     assertThat(outcome.last().time()).isBetween(5.0, 200.0);
-  }
-
-  private static VisionPacket later(VisionPacket packet, double by) {
-    return packet
-        .frame()
-        .map(
-            f ->
-                VisionPacket.of(
-                    new VisionFrame(
-                        f.cameraId(),
-                        f.frameNumber(),
-                        f.captureTime() + by,
-                        f.sentTime() + by,
-                        f.cameraClockTime(),
-                        f.balls(),
-                        f.robots())))
-        .orElse(packet);
   }
 
   /** Chips of 8 m/s rise 2 m; the cameras hang twice as high, and see little at half their height. */
