@@ -42,6 +42,25 @@ class ComponentTest {
     assertThat(c.effect(some, 0).isAbsent()).isFalse();
   }
 
+  static Stream<Effect> laws() {
+    return EffectCatalogue.all().stream().flatMap(e -> e.starts().stream());
+  }
+
+  /** Its absence is another law, and no slope leads from the one to the other. */
+  @ParameterizedTest
+  @MethodSource("laws")
+  void aLawIsNowhereAbsentWithinItsBounds(Effect law) {
+    Component c = all(law);
+    for (int i = 0; i < c.size(); i++) {
+      for (double bound :
+          new double[] {c.coordinates().get(i).min(), c.coordinates().get(i).max()}) {
+        double[] at = c.coordinates().stream().mapToDouble(Parameter::value).toArray();
+        at[i] = bound;
+        assertThat(c.effect(at, 0).isAbsent()).as("%s at %s", law, bound).isFalse();
+      }
+    }
+  }
+
   @Test
   void aMagnitudeWithADirectionIsTwoCartesianCoordinates() {
     Component c = all(new FieldSlope(2, Math.PI / 6));
