@@ -33,7 +33,7 @@ public record ContactImpacts(
     implements ImpactLaw {
   private static final String ID = "contact_impacts";
 
-  /** Least friction that may be estimated: 0 would be the fixed dampings, another law, to which no slope leads. */
+  /** Least friction of a law that is there: 0 would be the fixed dampings, another law, to which no slope leads. */
   private static final double LEAST_FRICTION = 0.02;
 
   private static final double LEAGUE_LOWEST_HOP_MM = 1000 * ChipModel.MIN_HOP_HEIGHT;
@@ -76,7 +76,7 @@ public record ContactImpacts(
             "",
             friction,
             0.1,
-            LEAST_FRICTION,
+            isAbsent() ? 0 : LEAST_FRICTION,
             2,
             true,
             "sliding on the carpet shows 0.3 to 0.35; impacts press fibres down and grip more"),
