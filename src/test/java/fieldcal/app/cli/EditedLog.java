@@ -63,19 +63,18 @@ public final class EditedLog {
 
   /** With its frame taken and sent later, s: the same kicks in other bytes. */
   public static VisionPacket later(VisionPacket packet, double by) {
-    return packet
-        .frame()
-        .map(
-            f ->
-                VisionPacket.of(
-                    new VisionFrame(
-                        f.cameraId(),
-                        f.frameNumber(),
-                        f.captureTime() + by,
-                        f.sentTime() + by,
-                        f.cameraClockTime(),
-                        f.balls(),
-                        f.robots())))
-        .orElse(packet);
+    return packet.frame().map(f -> VisionPacket.of(later(f, by))).orElse(packet);
+  }
+
+  /** Taken and sent later, s. */
+  public static VisionFrame later(VisionFrame f, double by) {
+    return new VisionFrame(
+        f.cameraId(),
+        f.frameNumber(),
+        f.captureTime() + by,
+        f.sentTime() + by,
+        f.cameraClockTime(),
+        f.balls(),
+        f.robots());
   }
 }

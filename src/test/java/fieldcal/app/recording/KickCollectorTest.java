@@ -3,6 +3,7 @@ package fieldcal.app.recording;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import fieldcal.app.cli.EditedLog;
 import fieldcal.app.cli.Main;
 import fieldcal.effect.ObservedCamera;
 import fieldcal.gamelog.GameLogReader;
@@ -160,14 +161,6 @@ class KickCollectorTest {
   }
 
   private static VisionFrame jumped(VisionFrame f) {
-    double by = f.captureTime() > 3 ? 3600 : 0;
-    return new VisionFrame(
-        f.cameraId(),
-        f.frameNumber(),
-        f.captureTime() + by,
-        f.sentTime() + by,
-        f.cameraClockTime(),
-        f.balls(),
-        f.robots());
+    return EditedLog.later(f, f.captureTime() > 3 ? 3600 : 0);
   }
 }
