@@ -131,6 +131,20 @@ class MotionAgainstSimulationTest {
         of(
             p.impact(p.impact.withTangential(new Contact(0, 0.6, 0.03, 0.03, 0.04))),
             new ContactImpacts(0, 0.6, 0.03, 0.04, 10)),
+        // Little friction: the resistance acts on a ball that slides through its impacts.
+        of(
+            p.impact(p.impact.withTangential(new Contact(0, 0.15, 0, 0, 0.04))),
+            new ContactImpacts(0, 0.15, 0, 0.04, 10)),
+        // The resistance helps to stop a ball that turns backward, then hinders it.
+        of(
+            p.impact(p.impact.withTangential(new Contact(0.1, 0.3, 0.01, 0.01, 0.03)))
+                .spin(-0.5, 0),
+            new ContactImpacts(0.1, 0.3, 0.01, 0.03, 10),
+            new KickSpin(-0.5)),
+        // More than friction can overcome: the ball slides without turning.
+        of(
+            p.impact(p.impact.withTangential(new Contact(0, 0.05, 0, 0, 0.2))),
+            new ContactImpacts(0, 0.05, 0, 0.2, 10)),
         of(
             p.impact(
                 p.impact
@@ -228,7 +242,11 @@ class MotionAgainstSimulationTest {
         .filter(
             a ->
                 ((List<?>) a.get()[1])
-                    .stream().noneMatch(e -> e instanceof ContactImpacts c && c.reversed() < -0.5));
+                    .stream().noneMatch(e -> e instanceof ContactImpacts c && leavesSlip(c)));
+  }
+
+  private static boolean leavesSlip(ContactImpacts law) {
+    return law.reversed() < -0.5 || law.rolling() > 0 && law.friction() < 0.5;
   }
 
   /** Chips have no k_switch. */

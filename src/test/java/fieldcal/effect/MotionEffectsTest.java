@@ -295,14 +295,22 @@ class MotionEffectsTest {
 
   @Test
   void rollingResistanceActsInImpacts() {
-    // A perfect grip leaves a rolling ball, which loses rolling of what impulse is left then.
-    double change = 0.4 / 1.4 * 3;
-    double rolls = 3 - change;
+    // The torque brakes the spin while the contact point slides: friction needs so much more of the
+    // impulse. The rest of it brakes a rolling ball.
+    double sliding = 0.4 / 1.4 * 3 / (1 - 0.03);
     assertThat(afterImpacts(new ContactImpacts(0, 1, 0, 0.03, 10)).get(0))
-        .isEqualTo(rolls - 0.03 * (1.52 * 4 - change), within(1e-9));
-    // A ball that slips to the end never rolls in that impact.
-    assertThat(afterImpacts(new ContactImpacts(0, 0.05, 0, 0.03, 10)).get(0))
-        .isEqualTo(3 - 0.05 * 1.52 * 4, within(1e-9));
+        .isEqualTo(3 - sliding - 0.03 * (1.52 * 4 - sliding), within(1e-9));
+    // A ball that slides to the end loses no more speed at first, but turns less: the torque is
+    // 1.4 times the resistance. So the next impact has more slip to take.
+    List<Double> slides = afterImpacts(new ContactImpacts(0, 0.15, 0, 0.03, 10));
+    double first = 0.15 * 1.52 * 4;
+    assertThat(slides.get(0)).isEqualTo(3 - first, within(1e-9));
+    double turns = (0.15 - 1.4 * 0.03) * 1.52 * 4 / 0.4;
+    double stops = 0.4 / 1.4 * (3 - first - turns) / (1 - 0.03 / 0.15);
+    double impulse = 1.52 * 4 * 0.52;
+    assertThat(stops / 0.15).isBetween(0.1 * impulse, 0.9 * impulse);
+    assertThat(slides.get(1))
+        .isEqualTo(3 - first - stops - 0.03 * (impulse - stops / 0.15), within(1e-9));
     // It cannot turn the spin round.
     assertThat(afterImpacts(new ContactImpacts(0, 1, 0, 0.5, 10)).get(0))
         .isEqualTo(0, within(1e-9));

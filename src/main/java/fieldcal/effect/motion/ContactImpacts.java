@@ -14,13 +14,14 @@ import java.util.List;
  * impact does, in this order:
  *
  * <ol>
- *   <li>it undoes the part 1 + reversed of the slip, Δv = −(1 + reversed)·β/(1+β)·u, at most |Δv| = friction·J; its torque turns the ball, Δs = −Δv/β;
- *   <li>it takes the part {@code loss} of v and of s;
- *   <li>during the part of the impulse in which the contact point no longer slips, rolling resistance takes rolling·J·(1 − |Δv|/(friction·J)) of v and of s, along s, at most all of s.
+ *   <li>while the contact point slides, during the part j of J, friction takes friction·j of v along u, and friction and rolling resistance turn the ball: Δs = (friction·j·û − (1+β)·rolling·j·ŝ)/β, of which the component along u is taken. The contact point slides until the part
+ *       1 + reversed of u is undone, or to the end of the impact;
+ *   <li>the impact takes the part {@code loss} of v and of s;
+ *   <li>while the ball grips, during the rest of J, rolling resistance takes rolling·(J − j) of v and of s, along s, at most all of s.
  * </ol>
  *
- * <p>The spin stays until the next impact, so that later impacts take less. While the contact point slides, an impact takes speed and gives spin as sliding on the carpet does, whose kSwitch knows what resistance there is. A rolling ball shows a resistance of |accRoll|/g, about 0.03
- * (physics engines that let their rolling friction act in impacts, ODE and Bullet, lose that). e_z is the model's, with what other effects make of it.
+ * <p>The spin stays until the next impact, so that later impacts take less. The resistance is a torque that acts as long as ball and carpet touch: (1+β)·rolling times the normal force and the radius, so that a ball which rolls is braked by rolling·g. It is therefore |accRoll|/g, about 0.03, where the resistance
+ * of impacts is that of rolling, as in physics engines that let their rolling friction act in contacts (ODE, Bullet). Then it brakes the spin while the ball slides on the carpet, too, which lowers kSwitch as some backspin does (see {@link KickSpin#imitatedBy}). e_z is the model's, with what other effects make of it.
  *
  * @param reversed part of the slip that an impact reverses (–): 0 = the contact point comes to rest, −1 = no grip, 1 = ideally elastic
  * @param friction coefficient of friction of ball and carpet in an impact (–), 0 = the fixed dampings hold
@@ -154,32 +155,47 @@ public record ContactImpacts(
   @Override
   public void impact(BallMotion arrival, double dampingZ, double inertiaFactor, double[] after) {
     double impulse = (1 + dampingZ) * Math.abs(arrival.vz());
-    double sliding = stopSlip(arrival.slip(), friction * impulse, inertiaFactor, after);
+    double gripping = stopSlip(arrival.slip(), impulse, inertiaFactor, after);
     for (int i = 0; i < after.length; i++) {
       after[i] *= 1 - loss;
     }
-    resistRolling(rolling * impulse * (1 - sliding), after);
+    resistRolling(rolling * gripping, after);
   }
 
   /**
-   * Lets friction act on the slip.
+   * Lets friction and rolling resistance act on a ball whose contact point slides. The resistance opposes the spin along the slip: it helps friction to stop a ball that turns backward, and hinders it then.
    *
-   * @param most how much speed friction takes when it acts during the whole impact, m/s
-   * @return the part of the impact that the contact point slides, 0 to 1
+   * @param impulse of the impact over the mass, m/s
+   * @return the part of the impulse that is left when the contact point no longer slides, m/s
    */
-  private double stopSlip(double slip, double most, double inertiaFactor, double[] after) {
+  private double stopSlip(double slip, double impulse, double inertiaFactor, double[] after) {
     if (slip <= 0) {
-      return 0;
+      return impulse;
     }
-    double wanted = (1 + reversed) * inertiaFactor / (1 + inertiaFactor) * slip;
-    double change = Math.min(wanted, most);
-    double dx = change / slip * (after[0] - after[2]);
-    double dy = change / slip * (after[1] - after[3]);
-    after[0] -= dx;
-    after[1] -= dy;
-    after[2] += dx / inertiaFactor;
-    after[3] += dy / inertiaFactor;
-    return most > 0 ? change / most : 0;
+    double x = (after[0] - after[2]) / slip;
+    double y = (after[1] - after[3]) / slip;
+    double perVelocity = (1 + inertiaFactor) / inertiaFactor;
+    // A ball that slides without turning takes no more resistance than friction overcomes.
+    double most = friction / (1 + inertiaFactor);
+    double resistance = Math.max(-most, Math.min(most, rolling));
+    double undone = (1 + reversed) * slip;
+    double backward = 0;
+    double spin = after[2] * x + after[3] * y;
+    if (spin < 0) {
+      double gain = friction / inertiaFactor + perVelocity * resistance;
+      double stop = perVelocity * (friction + resistance);
+      backward = Math.min(impulse, Math.min(-spin / gain, undone / stop));
+      undone -= stop * backward;
+    }
+    double stop = perVelocity * (friction - resistance);
+    double forward = Math.min(impulse - backward, undone / stop);
+    double speed = friction * (backward + forward);
+    double turned = speed / inertiaFactor + perVelocity * resistance * (backward - forward);
+    after[0] -= speed * x;
+    after[1] -= speed * y;
+    after[2] += turned * x;
+    after[3] += turned * y;
+    return impulse - backward - forward;
   }
 
   /** Takes that much speed, m/s, of ball and surface along the spin, at most all of the spin. */

@@ -92,12 +92,13 @@ public record KickSpin(double fraction, double chips, boolean apart) implements 
   }
 
   /**
-   * A rolling resistance that brakes the spin while the ball slides makes it roll from a lower speed on, kSwitch = 1/(1 + β)·(1 − β·accRoll/accSlide), as backspin of accRoll/accSlide does.
+   * A rolling resistance that brakes the spin while the ball slides makes it roll from a lower speed on: with the torque that brakes a rolling ball by accRoll and with r = accRoll/accSlide, kSwitch = 1/(1 + β)·(1 − (1 + β)·r)/(1 − r), as with a spin of −r/(1 − r).
    * {@inheritDoc}
    */
   @Override
   public double imitatedBy(FlatModel ball) {
-    return ball.accSlide() < 0 ? -ball.accRoll() / ball.accSlide() : 0;
+    double left = ball.accSlide() - ball.accRoll();
+    return left < 0 ? -ball.accRoll() / left : 0;
   }
 
   @Override

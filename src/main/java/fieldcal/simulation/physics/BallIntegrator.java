@@ -16,6 +16,9 @@ public final class BallIntegrator {
   /** A slower slip is due to rounding, m/s. */
   private static final double ROLLING_SLIP = 1e-9;
 
+  /** Steps of an impact's impulse while the contact point slides: only the direction of the resistance changes meanwhile. */
+  private static final int IMPACT_STEPS = 64;
+
   private final BallPhysics physics;
   private final Forces forces;
   private final double[] trial = new double[9];
@@ -348,27 +351,60 @@ public final class BallIntegrator {
   private void touch(double[] s, Contact contact, double coupling, double dampingZ) {
     double restitution =
         Math.max(-1, Math.min(1, contact.restitution() - coupling * forces.spinFraction(s)));
-    double slipX = forces.slipX(s);
-    double slipY = forces.slipY(s);
-    double slip = Math.hypot(slipX, slipY);
-    double rolled = contact.rolling() * (1 + dampingZ) * Math.abs(s[5]);
-    if (slip > 0) {
-      double beta = forces.inertiaFactor();
-      double gripping = (1 + restitution) * beta / (1 + beta) * slip;
-      double sliding = contact.friction() * (1 + dampingZ) * Math.abs(s[5]);
-      double change = Math.min(gripping, sliding);
-      rolled *= change < sliding ? 1 - change / sliding : 0;
-      double changeX = -change * slipX / slip;
-      double changeY = -change * slipY / slip;
-      s[3] += changeX;
-      s[4] += changeY;
-      forces.addSpinOfImpulse(s, changeX, changeY);
-    }
+    double impulse = (1 + dampingZ) * Math.abs(s[5]);
+    double gripping = slideThrough(s, contact, restitution, impulse);
     s[3] *= 1 - contact.loss();
     s[4] *= 1 - contact.loss();
     s[6] *= 1 - contact.spinLoss();
     s[7] *= 1 - contact.spinLoss();
-    resist(s, rolled);
+    resist(s, contact.rolling() * gripping);
+  }
+
+  /**
+   * The part of an impact during which the contact point slides, in small steps of the impulse: friction pushes against the slip, and the torque of rolling resistance opposes the spin.
+   *
+   * @return the part of the impulse that is left when the slip is undone
+   */
+  private double slideThrough(double[] s, Contact contact, double restitution, double impulse) {
+    double slip = Math.hypot(forces.slipX(s), forces.slipY(s));
+    if (slip == 0) {
+      return impulse;
+    }
+    double x = forces.slipX(s) / slip;
+    double y = forces.slipY(s) / slip;
+    double beta = forces.inertiaFactor();
+    double radius = physics.ball().radius();
+    double friction = contact.friction();
+    double torque = (1 + beta) * contact.rolling();
+    double undone = (1 + restitution) * slip;
+    double left = impulse;
+    double longest = torque == 0 ? impulse : impulse / IMPACT_STEPS;
+    while (left > 0 && undone > 0) {
+      double spinX = radius * s[7];
+      double spinY = -radius * s[6];
+      double spin = Math.hypot(spinX, spinY);
+      double along = spinX * x + spinY * y;
+      // A ball that does not turn yet begins to turn as friction makes it, unless the torque holds
+      // it.
+      boolean starts = spin <= ROLLING_SLIP;
+      double held = starts ? Math.min(torque, friction) : torque;
+      double brakeX = held * (starts ? x : spinX / spin) / beta;
+      double brakeY = held * (starts ? y : spinY / spin) / beta;
+      double gain = friction / beta - (brakeX * x + brakeY * y);
+      double step = Math.min(longest, left);
+      step = Math.min(step, undone / (friction + gain));
+      if (along < -ROLLING_SLIP && gain > 0) {
+        step = Math.min(step, -along / gain);
+      }
+      s[3] -= friction * step * x;
+      s[4] -= friction * step * y;
+      forces.addSpinOfImpulse(s, -friction * step * x, -friction * step * y);
+      s[7] -= brakeX * step / radius;
+      s[6] += brakeY * step / radius;
+      undone -= (friction + gain) * step;
+      left = step < left ? left - step : 0;
+    }
+    return left;
   }
 
   /** Takes that much speed of the ball and of its surface in the direction in which the spin rolls it, at most all of the spin. */

@@ -71,7 +71,7 @@ public record ImpactLaw(
    * @param friction μ during the impact (–)
    * @param loss share of the velocity along the carpet that is lost in addition (–)
    * @param spinLoss share of the spin that is lost in addition (–)
-   * @param rolling rolling resistance of the impact (–): the spinning ball loses rolling·(1 + e_z)·|v_z| of speed and spin
+   * @param rolling rolling resistance of the impact (–): a torque of (1 + β)·rolling times the normal force and the radius that opposes the spin, so that a rolling ball loses rolling·(1 + e_z)·|v_z| of speed and spin
    */
   public record Contact(
       double restitution, double friction, double loss, double spinLoss, double rolling)
