@@ -194,13 +194,13 @@ public interface Effect {
   }
 
   /**
-   * The apparent size of all its magnitudes if the effect is absent and the carpet resists the turning of a ball that still slides. The simple model has no such resistance while the ball slides.
+   * The apparent size of its magnitudes if the effect is absent and the carpet resists the turning of a ball that still slides. The simple model has no such resistance while the ball slides.
    *
-   * @param ball the simple model of the flat kicks
-   * @return in the unit of the magnitudes; 0 unless an effect says otherwise
+   * @param ball the simple model of flat kicks, or what it is where one kick was
+   * @return one for each of {@link #magnitudes()}, in its unit; 0 unless an effect says otherwise
    */
-  default double imitatedBy(FlatModel ball) {
-    return 0;
+  default double[] imitatedBy(FlatModel ball) {
+    return new double[magnitudes().size()];
   }
 
   /**

@@ -350,7 +350,7 @@ public final class Decision {
     if (gains.sizeMm() < 1000 * CameraNoise.FLOOR) {
       return Outcome.TOO_SMALL;
     }
-    if (c.isPerKick() && proof.isBallItself()) {
+    if (c.isPerKick() && new BallItself(model, i).isPossible()) {
       return Outcome.BALL_ITSELF;
     }
     return c.isLaw() && evidence < largest ? Outcome.FORM : Outcome.NAMED;

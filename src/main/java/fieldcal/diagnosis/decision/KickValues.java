@@ -9,6 +9,7 @@ import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 
 /**
  * A value that differs from kick to kick, together with what is recorded of each kick. Immutable.
@@ -23,6 +24,7 @@ record KickValues(double mean, List<Kick> kicks) {
   /**
    * One kick.
    *
+   * @param index of the kick in the model
    * @param value value of the magnitude, estimated with the scatter of all kicks as the prior
    * @param reliability share of the value's variance over the kicks that its detections determine, 0 to 1; by the rest the value is shrunk to the mean
    * @param kind flat or chip
@@ -33,6 +35,7 @@ record KickValues(double mean, List<Kick> kicks) {
    * @param y place of the kick, m
    */
   record Kick(
+      int index,
       double value,
       double reliability,
       KickKind kind,
@@ -66,6 +69,7 @@ record KickValues(double mean, List<Kick> kicks) {
       double reliability = scatter * scatter * equations.curvature(k, mean, mean);
       all.add(
           new Kick(
+              k,
               own[kick.record().timeIndex() + 1 + random],
               Math.min(1, reliability),
               kick.record().kind(),
@@ -81,6 +85,29 @@ record KickValues(double mean, List<Kick> kicks) {
   /** The same of one kind of kick. */
   KickValues of(KickKind kind) {
     return new KickValues(mean, kicks.stream().filter(k -> k.kind == kind).toList());
+  }
+
+  /** What is left beside something that is known of each kick, whose values are shrunk to their mean as the others are. */
+  KickValues beside(ToDoubleFunction<Kick> known) {
+    double middle = kicks.stream().mapToDouble(known).average().orElse(0);
+    return new KickValues(
+        mean - middle,
+        kicks.stream()
+            .map(
+                k -> {
+                  double off = k.reliability * (known.applyAsDouble(k) - middle);
+                  return new Kick(
+                      k.index,
+                      k.value - middle - off,
+                      k.reliability,
+                      k.kind,
+                      k.time,
+                      k.speed,
+                      k.heading,
+                      k.x,
+                      k.y);
+                })
+            .toList());
   }
 
   /** Standard deviation of the values from kick to kick, as their detections give it without what all kicks have in common: a value shrunk to the mean by its reliability r has r times the variance of the scatter. 0 of fewer than two kicks. */

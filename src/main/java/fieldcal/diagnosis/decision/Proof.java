@@ -6,10 +6,8 @@ import fieldcal.diagnosis.validation.HoldOut;
 import fieldcal.effect.Effect;
 import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.fit.joint.ScoreSystem;
-import fieldcal.kick.KickKind;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.FDistribution;
@@ -25,14 +23,6 @@ final class Proof {
 
   /** Curves that take back this share of what a cause does leave no more of it than they take. */
   private static final double TAKEN_BACK = 0.5;
-
-  /** Distance from zero that is not due to chance, in standard errors. */
-  private static final double BEYOND = 2;
-
-  /**
-   * Scatter of what only mechanics distinguishes from the ball's own law that kicks may have for other reasons, in the magnitude's unit: in an engine with a soft contact the ball bobs before it slides, and kicks without spin differed by half a per cent of rolling spin. Twice that.
-   */
-  private static final double BOBBING = 0.01;
 
   private final FittedModel model;
   private final int component;
@@ -110,33 +100,6 @@ final class Proof {
       }
     }
     return quadratic(v, theta);
-  }
-
-  /**
-   * Whether it may be the ball itself and not what it is named after, where only what is known of the ball's own law distinguishes the two: if its mean is within two errors of what a ball without the cause seems to have, and it scatters no more than it would without the cause. What is not known of the ball's law is the same in
-   * all flat kicks, so there it excuses a mean and no scatter. Chips scatter also where the law of their bounces is not quite right, by as much as is not known of the ball.
-   */
-  boolean isBallItself() {
-    Effect effect = model.effects().get(component);
-    Optional<Map<String, Double>> errors = model.errors(component);
-    if (effect.ballKnowledge().isEmpty() || errors.isEmpty()) {
-      return false;
-    }
-    double imitated = effect.imitatedBy(model.solution().state().flat());
-    double scatter = model.scatter(component);
-    double sampling = scatter * scatter / model.kickCount();
-    boolean ofFlats = KickValues.of(model, component).of(KickKind.FLAT).scatter() > BOBBING;
-    return !ofFlats
-        && errors.get().entrySet().stream()
-            .noneMatch(
-                e -> {
-                  double value = effect.value(e.getKey());
-                  double nearest =
-                      Math.max(Math.min(0, imitated), Math.min(value, Math.max(0, imitated)));
-                  double error = e.getValue();
-                  double known = Math.sqrt(Math.max(0, error * error - sampling));
-                  return Math.abs(value - nearest) > BEYOND * error || scatter > BEYOND * known;
-                });
   }
 
   private static double quadratic(double[][] v, double[] x) {

@@ -92,13 +92,14 @@ public record KickSpin(double fraction, double chips, boolean apart) implements 
   }
 
   /**
-   * A rolling resistance that brakes the spin while the ball slides makes it roll from a lower speed on: with the torque that brakes a rolling ball by accRoll and with r = accRoll/accSlide, kSwitch = 1/(1 + β)·(1 − (1 + β)·r)/(1 − r), as with a spin of −r/(1 − r).
+   * A rolling resistance that brakes the spin while the ball slides makes it roll from a lower speed on: with the torque that brakes a rolling ball by accRoll and with r = accRoll/accSlide, kSwitch = 1/(1 + β)·(1 − (1 + β)·r)/(1 − r), as with a spin of −r/(1 − r). Chips, which bounce, have none of that.
    * {@inheritDoc}
    */
   @Override
-  public double imitatedBy(FlatModel ball) {
+  public double[] imitatedBy(FlatModel ball) {
     double left = ball.accSlide() - ball.accRoll();
-    return left < 0 ? -ball.accRoll() / left : 0;
+    double imitated = left < 0 ? -ball.accRoll() / left : 0;
+    return apart ? new double[] {imitated, -imitated} : new double[] {imitated};
   }
 
   @Override

@@ -44,6 +44,16 @@ public interface ExtraLaw {
   }
 
   /**
+   * The part of the rolling resistance whose torque also opposes the turning of a ball that still slides.
+   *
+   * @param moment where and how the ball moves
+   * @return 0 = none, 1 = all of it
+   */
+  default double resistedTurning(BallMoment moment) {
+    return 0;
+  }
+
+  /**
    * Velocity of the air beside the wind that is the same everywhere, for the drag.
    *
    * @param moment where and how the ball moves

@@ -152,6 +152,14 @@ final class Forces {
     return factor * Math.max(0, sum);
   }
 
+  private double extraTurning() {
+    double part = 0;
+    for (ExtraLaw law : extras) {
+      part += law.resistedTurning(moment);
+    }
+    return part;
+  }
+
   /** Factor on e_z of an impact of the moment that was asked for last. */
   double extraRestitution() {
     double factor = 1;
@@ -276,7 +284,7 @@ final class Forces {
     external(s);
     switch (phase) {
       case FLYING -> fly(s, rate);
-      case SLIDING -> slide(s, rate);
+      case SLIDING -> slide(offset, s, rate);
       default -> roll(offset, s, rate);
     }
   }
@@ -311,7 +319,7 @@ final class Forces {
     }
   }
 
-  private void slide(double[] s, double[] rate) {
+  private void slide(double offset, double[] s, double[] rate) {
     double directionX = frozenX;
     double directionY = frozenY;
     double slipX = slipX(s);
@@ -334,6 +342,29 @@ final class Forces {
     rate[6] = frictionY / (slidingBeta * radius);
     rate[7] = -frictionX / (slidingBeta * radius);
     rate[8] = -ground.verticalSpinDecay() * s[8];
+    double resisted = extraTurning();
+    if (resisted != 0) {
+      resistTurning(resisted * rollingDeceleration(offset, s), directionX, directionY, s, rate);
+    }
+  }
+
+  /** The torque that brakes a rolling ball by that deceleration opposes the spin; a ball that does not turn yet begins to turn as friction along the slip makes it. */
+  private void resistTurning(
+      double deceleration, double slipX, double slipY, double[] s, double[] rate) {
+    double spin = Math.hypot(s[6], s[7]);
+    double x = spin == 0 ? slipX : s[7] / spin;
+    double y = spin == 0 ? slipY : -s[6] / spin;
+    double perRadius = (1 + beta) / beta * deceleration / radius;
+    rate[6] += perRadius * y;
+    rate[7] -= perRadius * x;
+  }
+
+  private double rollingDeceleration(double offset, double[] s) {
+    return wear
+        * ground.waveAt(s[0])
+        * extraRolling()
+        * Math.max(0, 1 - externalZ / G)
+        * ground.rollingDecelerationAt(s[3], s[4], stepTime + offset);
   }
 
   private void roll(double offset, double[] s, double[] rate) {
@@ -348,13 +379,7 @@ final class Forces {
       directionX = length == 0 ? 0 : alongX / length;
       directionY = length == 0 ? 0 : alongY / length;
     }
-    double pressure = Math.max(0, 1 - externalZ / G);
-    double deceleration =
-        wear
-            * ground.waveAt(s[0])
-            * extraRolling()
-            * pressure
-            * ground.rollingDecelerationAt(s[3], s[4], stepTime + offset);
+    double deceleration = rollingDeceleration(offset, s);
     rate[3] = -deceleration * directionX + externalX / (1 + beta);
     rate[4] = -deceleration * directionY + externalY / (1 + beta);
     addToPath(s, (1 - LEAST_BRAKING) * deceleration, rate);

@@ -24,11 +24,15 @@ import fieldcal.effect.motion.CarpetNap;
 import fieldcal.effect.motion.Drift;
 import fieldcal.effect.motion.FieldSlope;
 import fieldcal.effect.motion.KickSpin;
+import fieldcal.effect.motion.RollScatter;
 import fieldcal.effect.motion.WornRegion;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
 import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.imaging.CameraSettings;
+import fieldcal.simulation.physics.BallMoment;
+import fieldcal.simulation.physics.BallPhysics;
+import fieldcal.simulation.physics.ExtraLaw;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -274,6 +278,32 @@ class DecisionTest {
     assertThat(little.isName()).isFalse();
     FittedField clear = FittedField.flats("kick_spin:fraction=-0.2,scatter=0.1");
     assertThat(judge(clear, new KickSpin(0)).get(0).isName()).isTrue();
+  }
+
+  /** Each ball rolls more or less far by chance, and the carpet resists its turning as much while it slides: which looks like another backspin in each kick. */
+  @Test
+  void aResistanceInTheSlideThatDiffersFromKickToKickIsNoSpin() {
+    BallPhysics resisting =
+        FittedField.SOUND
+            .physics()
+            .withExtra(
+                new ExtraLaw() {
+                  @Override
+                  public double rollingFactor(BallMoment m) {
+                    return 1 + 0.3 * Math.sin(7.3 * (m.sessionTime() - m.sinceKick()));
+                  }
+
+                  @Override
+                  public double resistedTurning(BallMoment m) {
+                    return 1;
+                  }
+                });
+    FittedField field =
+        FittedField.of(
+            FittedField.SOUND.withScenario(ScenarioKind.FLAT, 20).withPhysics(resisting));
+    Judgement judged = judge(field, new KickSpin(0), new RollScatter(0)).get(0);
+    assertThat(judged.scatter()).as("%s", judged).isGreaterThan(0.015);
+    assertThat(judged.outcome()).as("%s", judged).isEqualTo(Outcome.BALL_ITSELF);
   }
 
   /** What is not known of the ball is the same in all kicks: spin that differs from kick to kick is the kicker's even if its mean is near zero. */

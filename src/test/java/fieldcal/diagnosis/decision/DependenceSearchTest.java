@@ -32,6 +32,7 @@ class DependenceSearchTest {
     for (int i = 0; i < n; i++) {
       all.add(
           new Kick(
+              i,
               0,
               1,
               KickKind.FLAT,
@@ -51,6 +52,7 @@ class DependenceSearchTest {
             .map(
                 k ->
                     new Kick(
+                        k.index(),
                         value.applyAsDouble(k),
                         k.reliability(),
                         k.kind(),
@@ -193,7 +195,9 @@ class DependenceSearchTest {
         for (Kick k : kicks) {
           double r = Math.min(1, 0.03 * k.speed() * k.speed());
           double value = MEAN + r * random.nextGaussian() / Math.sqrt(r);
-          drawn.add(new Kick(value, r, k.kind(), k.time(), k.speed(), k.heading(), k.x(), k.y()));
+          drawn.add(
+              new Kick(
+                  k.index(), value, r, k.kind(), k.time(), k.speed(), k.heading(), k.x(), k.y()));
         }
         return new KickValues(MEAN, drawn);
       }
@@ -249,8 +253,19 @@ class DependenceSearchTest {
     List<Kick> kicks = new ArrayList<>();
     for (Kick k : kicks(30, random)) {
       kicks.add(
-          new Kick(1e-3 * k.time(), 1, k.kind(), k.time(), k.speed(), k.heading(), k.x(), k.y()));
-      kicks.add(new Kick(0, 0.01, k.kind(), k.time() + 1, k.speed(), k.heading(), k.x(), k.y()));
+          new Kick(
+              k.index(),
+              1e-3 * k.time(),
+              1,
+              k.kind(),
+              k.time(),
+              k.speed(),
+              k.heading(),
+              k.x(),
+              k.y()));
+      kicks.add(
+          new Kick(
+              k.index(), 0, 0.01, k.kind(), k.time() + 1, k.speed(), k.heading(), k.x(), k.y()));
     }
     Dependence found = DependenceSearch.of(new KickValues(0, kicks), LIMIT, 1).orElseThrow();
     assertThat(found.form()).isEqualTo(Form.LINE);
