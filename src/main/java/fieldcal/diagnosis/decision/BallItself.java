@@ -10,9 +10,10 @@ import fieldcal.effect.BallKnowledge;
 import fieldcal.effect.Effect;
 import fieldcal.effect.ExtendedTrajectory;
 import fieldcal.kick.KickKind;
-import java.util.List;
+import java.util.Arrays;
 import java.util.Map;
 import java.util.Optional;
+import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 
 /**
  * Whether a value that each kick has may be the ball itself and not what it is named after, where only what is known of the ball's own law distinguishes the two: if its mean is within two errors of what a ball without the cause seems to have, and it scatters no more than it would without the cause. What is not known of the ball's law is the
@@ -21,6 +22,9 @@ import java.util.Optional;
 final class BallItself {
   /** Distance that is not due to chance, in standard errors. */
   private static final double BEYOND = 2;
+
+  /** The share of chance within that distance. */
+  private static final double WITHIN = 0.9545;
 
   /**
    * Scatter of what only mechanics distinguishes from the ball's own law that kicks may have for other reasons, in the magnitude's unit: in an engine with a soft contact the ball bobs before it slides, and kicks without spin differed by half a per cent of rolling spin. Twice that.
@@ -49,24 +53,47 @@ final class BallItself {
     if (effect.ballKnowledge().isEmpty() || covariance.isEmpty() || errors.isEmpty()) {
       return false;
     }
-    List<String> names = effect.magnitudes();
-    double[] imitated = effect.imitatedBy(model.solution().state().flat());
     double scatter = model.scatter(component);
     double sampling = scatter * scatter / model.kickCount();
-    for (int i = 0; i < names.size(); i++) {
-      Double error = errors.get().get(names.get(i));
-      if (error == null) {
-        continue;
-      }
-      double value = asBallIsExpected(i, covariance.get());
-      double nearest =
-          Math.max(Math.min(0, imitated[i]), Math.min(value, Math.max(0, imitated[i])));
+    for (double error : errors.get().values()) {
       double known = Math.sqrt(Math.max(0, error * error - sampling));
-      if (Math.abs(value - nearest) > BEYOND * error || scatter > BEYOND * known) {
+      if (scatter > BEYOND * known) {
         return false;
       }
     }
-    return !flatsScatter();
+    return meanIsImitated(covariance.get()) && !flatsScatter();
+  }
+
+  /** Whether the magnitudes together are within their errors of a part of what the ball imitates. Kicks of one kind may determine their sum much better than each. */
+  private boolean meanIsImitated(double[][] covariance) {
+    double[] imitated = effect.imitatedBy(model.solution().state().flat());
+    int n = imitated.length;
+    int from = model.model().offset(component);
+    double[][] errors = new double[n][];
+    double[] values = new double[n];
+    for (int i = 0; i < n; i++) {
+      errors[i] = Arrays.copyOfRange(covariance[from + i], from, from + n);
+      values[i] = asBallIsExpected(i, covariance);
+    }
+    double none = distance(values, imitated, 0, errors);
+    double half = distance(values, imitated, 0.5, errors);
+    double whole = distance(values, imitated, 1, errors);
+    // A parabola over the part that is imitated.
+    double bend = 2 * (none - 2 * half + whole);
+    double part =
+        bend > 0 ? Math.max(0, Math.min(1, (3 * none + whole - 4 * half) / (2 * bend))) : 0;
+    double nearest = distance(values, imitated, part, errors);
+    return nearest <= new ChiSquaredDistribution(n).inverseCumulativeProbability(WITHIN);
+  }
+
+  /** Squared distance of the values from a part of what the ball imitates, in units of their covariance. */
+  private static double distance(
+      double[] values, double[] imitated, double part, double[][] covariance) {
+    double[] off = new double[values.length];
+    for (int i = 0; i < off.length; i++) {
+      off[i] = values[i] - part * imitated[i];
+    }
+    return Proof.quadratic(covariance, off);
   }
 
   /** A magnitude if the ball's own parameters were what is known of them: errors of other causes draw both along the line on which they explain the same. */

@@ -102,7 +102,8 @@ final class Proof {
     return quadratic(v, theta);
   }
 
-  private static double quadratic(double[][] v, double[] x) {
+  /** A squared length in units of a covariance. */
+  static double quadratic(double[][] v, double[] x) {
     double[] scale = new double[x.length];
     for (int a = 0; a < x.length; a++) {
       scale[a] = Math.sqrt(v[a][a]);
