@@ -78,11 +78,11 @@ final class BallItself {
     double none = distance(values, imitated, 0, errors);
     double half = distance(values, imitated, 0.5, errors);
     double whole = distance(values, imitated, 1, errors);
-    // A parabola over the part that is imitated.
+    // A parabola over the part that is imitated: none + slope·part + bend·part².
     double bend = 2 * (none - 2 * half + whole);
-    double part =
-        bend > 0 ? Math.max(0, Math.min(1, (3 * none + whole - 4 * half) / (2 * bend))) : 0;
-    double nearest = distance(values, imitated, part, errors);
+    double slope = whole - none - bend;
+    double part = bend > 0 ? Math.max(0, Math.min(1, -slope / (2 * bend))) : 0;
+    double nearest = none + part * (slope + part * bend);
     return nearest <= new ChiSquaredDistribution(n).inverseCumulativeProbability(WITHIN);
   }
 

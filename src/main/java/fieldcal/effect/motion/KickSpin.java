@@ -92,7 +92,7 @@ public record KickSpin(double fraction, double chips, boolean apart) implements 
   }
 
   /**
-   * A rolling resistance that brakes the spin while the ball slides makes it roll from a lower speed on: with the torque that brakes a rolling ball by accRoll and with r = accRoll/accSlide, kSwitch = 1/(1 + β)·(1 − (1 + β)·r)/(1 − r), as with a spin of −r/(1 − r). Chips, which bounce, have none of that.
+   * A rolling resistance that brakes the spin while the ball slides makes it roll from a lower speed on: with the torque that brakes a rolling ball by accRoll and with r = accRoll/accSlide, kSwitch = 1/(1 + β)·(1 − (1 + β)·r)/(1 − r), as with a spin of −r/(1 − r). Chips, which bounce, have none of that; where they are not told apart, nothing distinguishes them.
    * {@inheritDoc}
    */
   @Override

@@ -391,9 +391,11 @@ public final class BallIntegrator {
       double brakeX = held * (starts ? x : spinX / spin) / beta;
       double brakeY = held * (starts ? y : spinY / spin) / beta;
       double gain = friction / beta - (brakeX * x + brakeY * y);
+      // A torque that is stronger than friction lets the slip of a turning ball grow.
+      double closing = friction + gain;
       double step = Math.min(longest, left);
-      step = Math.min(step, undone / (friction + gain));
-      if (along < -ROLLING_SLIP && gain > 0) {
+      step = closing > 0 ? Math.min(step, undone / closing) : step;
+      if (Math.abs(along) > ROLLING_SLIP && along * gain < 0) {
         step = Math.min(step, -along / gain);
       }
       s[3] -= friction * step * x;
@@ -401,7 +403,7 @@ public final class BallIntegrator {
       forces.addSpinOfImpulse(s, -friction * step * x, -friction * step * y);
       s[7] -= brakeX * step / radius;
       s[6] += brakeY * step / radius;
-      undone -= (friction + gain) * step;
+      undone -= closing * step;
       left = step < left ? left - step : 0;
     }
     return left;

@@ -102,6 +102,20 @@ class ContactTest {
     assertThat(jump[1][5] + RADIUS * jump[1][7]).isEqualTo(-0.3 * aside, within(EXACT));
   }
 
+  /** The slip of a ball with topspin then grows until it turns no more; friction takes the same all the time. */
+  @Test
+  void aResistanceStrongerThanFrictionStopsTheTurning() {
+    BallPhysics physics =
+        BallPhysics.contact(0.32, 0.28, 0.5)
+            .withImpact(
+                ImpactLaw.fixedLoss(0.75, 0.95, 0.5)
+                    .withTangential(new Contact(0, 0.02, 0, 0, 0.5)));
+    double[][] jump = jumps(kick(physics, 3, 0, 3, 0.5, 0, 1)).get(0);
+    assertThat(jump[1][4]).isEqualTo(jump[0][4] + 0.02 * 1.5 * jump[0][6], within(EXACT));
+    assertThat(jump[0][8]).isGreaterThan(60);
+    assertThat(RADIUS * jump[1][8]).isEqualTo(0, within(1e-6));
+  }
+
   @Test
   void frictionLimitsTheImpulse() {
     RecordedTrace trace = kick(contact(0, 0.1, 0.4), 3, 0, 3, -3, 1, 1);
