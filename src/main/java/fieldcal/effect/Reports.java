@@ -1,7 +1,7 @@
 package fieldcal.effect;
 
 /**
- * What cameras report of a ball on a path, and from there of the same ball under other effects on the cameras, and of balls on paths close by. Fits ask for derivatives of a path in a hundred directions: what each camera reports of the path is computed once for all of them. Not thread-safe: derivatives are computed when first asked for.
+ * What cameras report of a ball on a path, and from there of the same ball under other effects on the cameras, and of balls on paths close by. Fits ask for derivatives of a path in a hundred directions: what each camera reports of the path is computed once for all of them. Not thread-safe: derivatives are worked out when first asked for.
  */
 public final class Reports {
   /** How far a ball is moved to see by how much its report moves, m: a rounding error of 1e-15 m is 1e-10 of it, and a camera at 4 m bends less. */
@@ -12,16 +12,19 @@ public final class Reports {
   private final ExtendedTrajectory path;
   private final double sessionStart;
 
+  /** By which camera each was seen; null where that is not listed. */
+  private final View[] views;
+
   /** Reported x and y of each sighting, m. */
   private final double[] ground;
 
-  /** Where the ball was, x, y and z of each sighting, m; null as long as nobody asks. */
-  private double[] balls;
+  /** Where the ball was, x, y and z of each sighting, m. */
+  private final double[] balls;
 
-  /** When it was there, s; NaN where that depends on how fast it was. */
-  private double[] times;
+  /** When it was there, s. */
+  private final double[] times;
 
-  /** By how much reported x, and y, move with the ball's x, y and z (–). */
+  /** By how much reported x, and y, move with the ball's x, y and z (–); null as long as nobody asks. */
   private double[] slopes;
 
   /**
@@ -38,8 +41,32 @@ public final class Reports {
     this.seen = seen;
     this.path = path;
     this.sessionStart = sessionStart;
-    ground = new double[2 * seen.size()];
-    effects.report(seen, path, sessionStart, ground);
+    int n = seen.size();
+    views = new View[n];
+    ground = new double[2 * n];
+    balls = new double[3 * n];
+    times = new double[n];
+    PathFollower ball = path.follower();
+    for (int i = 0; i < n; i++) {
+      views[i] = effects.goTo(seen, i, ball, sessionStart);
+      times[i] = ball.time();
+      balls[3 * i] = ball.x();
+      balls[3 * i + 1] = ball.y();
+      balls[3 * i + 2] = ball.z();
+      place(views[i], i, 0, 0, ground, 2 * i);
+    }
+  }
+
+  /** Where a camera reports the ball of a sighting, moved over the ground. */
+  private void place(View view, int i, double dx, double dy, double[] out, int at) {
+    MeasurementEffects.place(
+        view,
+        balls[3 * i] + dx,
+        balls[3 * i + 1] + dy,
+        balls[3 * i + 2],
+        seen.stamp[i] - sessionStart,
+        out,
+        at);
   }
 
   /**
@@ -60,9 +87,12 @@ public final class Reports {
   public void under(MeasurementEffects others, double[] out) {
     PathFollower ball = path.follower();
     for (int i = 0; i < seen.size(); i++) {
-      if (others.find(seen.camera[i]) == effects.find(seen.camera[i])) {
+      View other = others.find(seen.camera[i]);
+      if (other == views[i]) {
         out[2 * i] = ground[2 * i];
         out[2 * i + 1] = ground[2 * i + 1];
+      } else if (other != null && views[i] != null && other.isAsLateAs(views[i])) {
+        place(other, i, 0, 0, out, 2 * i);
       } else {
         others.report(seen, i, ball, sessionStart, out);
       }
@@ -76,12 +106,10 @@ public final class Reports {
    * @param out receives x and y of each sighting, m
    */
   public void near(ExtendedTrajectory near, double[] out) {
-    if (balls == null) {
-      prepare();
-    }
+    double[] by = slopes();
     PathFollower ball = near.follower();
     for (int i = 0; i < seen.size(); i++) {
-      if (Double.isNaN(times[i])) {
+      if (views[i] != null && views[i].dependsOnSpeed()) {
         effects.goTo(seen, i, ball, sessionStart);
       } else {
         ball.goTo(times[i]);
@@ -90,34 +118,42 @@ public final class Reports {
       double dy = ball.y() - balls[3 * i + 1];
       double dz = ball.z() - balls[3 * i + 2];
       int s = 6 * i;
-      out[2 * i] = ground[2 * i] + slopes[s] * dx + slopes[s + 1] * dy + slopes[s + 2] * dz;
-      out[2 * i + 1] =
-          ground[2 * i + 1] + slopes[s + 3] * dx + slopes[s + 4] * dy + slopes[s + 5] * dz;
+      out[2 * i] = ground[2 * i] + by[s] * dx + by[s + 1] * dy + by[s + 2] * dz;
+      out[2 * i + 1] = ground[2 * i + 1] + by[s + 3] * dx + by[s + 4] * dy + by[s + 5] * dz;
     }
   }
 
-  private void prepare() {
-    balls = new double[3 * seen.size()];
-    times = new double[seen.size()];
-    slopes = new double[6 * seen.size()];
-    double[] at = new double[3];
-    double[] moved = new double[2];
-    PathFollower ball = path.follower();
+  /**
+   * By how much the reports move when the whole path is moved over the ground.
+   *
+   * @param axis 0 = along x, 1 = along y
+   * @param out receives x and y of each sighting, m per m
+   */
+  public void moved(int axis, double[] out) {
+    double[] by = slopes();
     for (int i = 0; i < seen.size(); i++) {
-      View view = effects.goTo(seen, i, ball, sessionStart);
-      boolean fixed = view == null || !view.dependsOnSpeed();
-      times[i] = fixed ? ball.time() : Double.NaN;
-      at[0] = ball.x();
-      at[1] = ball.y();
-      at[2] = ball.z();
-      System.arraycopy(at, 0, balls, 3 * i, 3);
-      for (int axis = 0; axis < 3; axis++) {
-        at[axis] += NUDGE;
-        MeasurementEffects.place(view, at[0], at[1], at[2], seen.stamp[i] - sessionStart, moved, 0);
-        at[axis] -= NUDGE;
-        slopes[6 * i + axis] = (moved[0] - ground[2 * i]) / NUDGE;
-        slopes[6 * i + 3 + axis] = (moved[1] - ground[2 * i + 1]) / NUDGE;
+      out[2 * i] = by[6 * i + axis];
+      out[2 * i + 1] = by[6 * i + 3 + axis];
+    }
+  }
+
+  private double[] slopes() {
+    if (slopes == null) {
+      slopes = new double[6 * seen.size()];
+      double[] moved = new double[2];
+      for (int i = 0; i < seen.size(); i++) {
+        int s = 6 * i;
+        place(views[i], i, NUDGE, 0, moved, 0);
+        slopes[s] = (moved[0] - ground[2 * i]) / NUDGE;
+        slopes[s + 3] = (moved[1] - ground[2 * i + 1]) / NUDGE;
+        place(views[i], i, 0, NUDGE, moved, 0);
+        slopes[s + 1] = (moved[0] - ground[2 * i]) / NUDGE;
+        slopes[s + 4] = (moved[1] - ground[2 * i + 1]) / NUDGE;
+        if (views[i] != null) {
+          views[i].addSlopesByHeight(balls, 3 * i, slopes, s);
+        }
       }
     }
+    return slopes;
   }
 }

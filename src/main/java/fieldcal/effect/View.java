@@ -145,6 +145,23 @@ final class View {
     }
   }
 
+  /**
+   * By how much a report moves with the ball's height, from how it moves over the ground: nothing is reported of a move along the line of sight.
+   *
+   * @param ball x, y and height of the ball, m, from {@code from} on
+   * @param slopes by how much reported x moves with the ball's x and y, then the same of reported y, each followed by the height's, which is filled in
+   */
+  void addSlopesByHeight(double[] ball, int from, double[] slopes, int at) {
+    if (camera == null) {
+      return;
+    }
+    double up = ball[from + 2] + Camera.BALL_RADIUS - z;
+    double alongX = (ball[from] - x) / up;
+    double alongY = (ball[from + 1] - y) / up;
+    slopes[at + 2] = -(slopes[at] * alongX + slopes[at + 1] * alongY);
+    slopes[at + 5] = -(slopes[at + 3] * alongX + slopes[at + 4] * alongY);
+  }
+
   private void project(double ballX, double ballY, double ballZ, double[] ground, int at) {
     if (camera == null) {
       ground[at] = ballX + addedX;

@@ -246,33 +246,7 @@ public final class EffectKick implements KickTerm<ModelState> {
 
   @Override
   public void ownColumns(double[] own, ModelState state, double[] residuals, double[][] columns) {
-    int n = record.blocks.length;
-    double until = state.measurement().lastBallTime(record.blockSightings, sessionStart);
-    ExtendedTrajectory path = path(own, state, until);
-    double[] centre = new double[2 * n];
-    report(state, path, centre);
-    double[] ball = new double[3];
-    for (int b = 0; b < n; b++) {
-      // To first order, moving the kick moves its whole path.
-      double h = record.blockHeight[b];
-      double f = 1;
-      if (record.kind == KickKind.CHIP) {
-        path.positionAt(record.blockTime[b], ball);
-        f = h / (h - ball[2]);
-      }
-      columns[0][2 * b] = f * record.block11[b];
-      columns[0][2 * b + 1] = f * record.block21[b];
-      columns[1][2 * b] = 0;
-      columns[1][2 * b + 1] = f * record.block22[b];
-    }
-    double[] p = own.clone();
-    for (int k = 2; k < own.length; k++) {
-      double h = step(k);
-      p[k] = own[k] + h;
-      report(state, path(p, state, until), columns[k]);
-      p[k] = own[k];
-      difference(centre, h, columns[k]);
-    }
+    columns(own, state, residuals, List.of(), columns, new double[0][]);
   }
 
   /** Where the cameras report the ball, of all detections, m. */
@@ -298,23 +272,23 @@ public final class EffectKick implements KickTerm<ModelState> {
       double[] residuals,
       List<Probe<ModelState>> probes,
       double[][] columns) {
-    Surroundings around = new Surroundings(own, state, probes);
-    double[] from = new double[around.here.length];
-    for (int c = 0; c < columns.length; c++) {
-      Probe<ModelState> probe = probes.get(c);
-      if (!around.comesToWhereTheyDiffer(probe)) {
-        Arrays.fill(columns[c], 0);
-        continue;
-      }
-      if (probe.from() != null) {
-        around.report(probe.from(), from);
-      }
-      around.report(probe.to(), columns[c]);
-      difference(probe.from() == null ? around.here : from, probe.width(), columns[c]);
-    }
+    new Surroundings(own, state, probes).byShared(probes, columns);
   }
 
-  /** What is reported under states that differ little from one state; what they have in common is computed once. */
+  @Override
+  public void columns(
+      double[] own,
+      ModelState state,
+      double[] residuals,
+      List<Probe<ModelState>> probes,
+      double[][] ownColumns,
+      double[][] sharedColumns) {
+    Surroundings around = new Surroundings(own, state, probes);
+    around.byOwn(ownColumns);
+    around.byShared(probes, sharedColumns);
+  }
+
+  /** What is reported near one state and these own parameters; what all derivatives there have in common is computed once. */
   private final class Surroundings {
     private final double[] own;
     private final ModelState state;
@@ -349,7 +323,39 @@ public final class EffectKick implements KickTerm<ModelState> {
           : cameras.lastBallTime(record.blockSightings, sessionStart);
     }
 
-    boolean comesToWhereTheyDiffer(Probe<ModelState> probe) {
+    void byOwn(double[][] columns) {
+      // To first order, moving the kick moves its whole path.
+      for (int axis = 0; axis < 2; axis++) {
+        reports.moved(axis, columns[axis]);
+        whiten(columns[axis]);
+      }
+      double[] p = own.clone();
+      for (int k = 2; k < own.length; k++) {
+        double h = step(k);
+        p[k] = own[k] + h;
+        reports.near(path(p, state, until), columns[k]);
+        p[k] = own[k];
+        difference(here, h, columns[k]);
+      }
+    }
+
+    void byShared(List<Probe<ModelState>> probes, double[][] columns) {
+      double[] from = new double[here.length];
+      for (int c = 0; c < columns.length; c++) {
+        Probe<ModelState> probe = probes.get(c);
+        if (!comesToWhereTheyDiffer(probe)) {
+          Arrays.fill(columns[c], 0);
+          continue;
+        }
+        if (probe.from() != null) {
+          report(probe.from(), from);
+        }
+        report(probe.to(), columns[c]);
+        difference(probe.from() == null ? here : from, probe.width(), columns[c]);
+      }
+    }
+
+    private boolean comesToWhereTheyDiffer(Probe<ModelState> probe) {
       Optional<Area> area = probe.to().reach();
       if (area.isEmpty()) {
         return true;
@@ -358,7 +364,7 @@ public final class EffectKick implements KickTerm<ModelState> {
       return comes(way, area.get());
     }
 
-    void report(ModelState there, double[] out) {
+    private void report(ModelState there, double[] out) {
       if (there.hasMotionOf(state, record.kind == KickKind.CHIP, sessionTime(own))) {
         reports.under(there.measurement(), out);
       } else {
@@ -391,15 +397,18 @@ public final class EffectKick implements KickTerm<ModelState> {
     return false;
   }
 
-  private void report(ModelState state, ExtendedTrajectory path, double[] out) {
-    state.measurement().report(record.blockSightings, path, sessionStart, out);
-  }
-
   /** The whitened derivative from two reports. */
   private void difference(double[] centre, double h, double[] column) {
+    for (int i = 0; i < column.length; i++) {
+      column[i] = (column[i] - centre[i]) / h;
+    }
+    whiten(column);
+  }
+
+  private void whiten(double[] column) {
     for (int b = 0; b < record.blocks.length; b++) {
-      double dx = (column[2 * b] - centre[2 * b]) / h;
-      double dy = (column[2 * b + 1] - centre[2 * b + 1]) / h;
+      double dx = column[2 * b];
+      double dy = column[2 * b + 1];
       column[2 * b] = record.block11[b] * dx;
       column[2 * b + 1] = record.block21[b] * dx + record.block22[b] * dy;
     }

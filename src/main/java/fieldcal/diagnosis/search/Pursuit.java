@@ -62,6 +62,11 @@ final class Pursuit {
   /** What was left when laws were last tried. As long as nearly the same is left, a law that was rejected then would be rejected again. */
   private double leftByLaws = Double.POSITIVE_INFINITY;
 
+  /** The laws of the model, and what was left, when their other forms were last tried; the same holds for forms. */
+  private Set<String> lawsTried = Set.of();
+
+  private double leftByForms = Double.POSITIVE_INFINITY;
+
   /**
    * @param refits with the weights of this pursuit
    * @param dictionary what may be proposed
@@ -175,7 +180,9 @@ final class Pursuit {
         if (left() < (1 - LAW_SHARE) * leftByLaws) {
           addLaws();
         }
-        changeLaws();
+        if (!lawsTried.equals(laws()) || left() < (1 - LAW_SHARE) * leftByForms) {
+          changeLaws();
+        }
         prune();
       }
     }
@@ -476,6 +483,19 @@ final class Pursuit {
         trace.add(new SearchStep(form, Action.SWAPPED, Double.NaN, most));
       }
     }
+    lawsTried = laws();
+    leftByForms = left();
+  }
+
+  /** The laws of the model, with their forms. */
+  private Set<String> laws() {
+    Set<String> laws = new HashSet<>();
+    for (Component c : best.model().components()) {
+      if (!c.template().forms().isEmpty()) {
+        laws.add(c.toString());
+      }
+    }
+    return laws;
   }
 
   /** What the model leaves beyond noise, in weighted units of chi-square. */

@@ -51,7 +51,9 @@ final class Descent<S> {
   /** Whether the derivatives are those of this very point. */
   private boolean fresh;
 
+  /** Null where they are not known. */
   private double[][] residuals;
+
   private KickBlock[] blocks;
   private double cost;
   private int iterations;
@@ -146,6 +148,7 @@ final class Descent<S> {
     kicks.set(kick, term);
     own.set(kick, ownParameters);
     columns = null;
+    residuals = null;
   }
 
   /** Steps are damped as at the beginning again. */
@@ -352,7 +355,7 @@ final class Descent<S> {
 
   /** Takes new derivatives. */
   private void linearize() {
-    residuals = new double[kicks.size()][];
+    residuals = residuals == null ? new double[kicks.size()][] : residuals.clone();
     columns = new Linearizer<>(problem, kicks, own, values, scatters).columns(free, residuals);
     fresh = true;
     equate();

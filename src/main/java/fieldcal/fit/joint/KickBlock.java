@@ -1,6 +1,7 @@
 package fieldcal.fit.joint;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * Normal equations of one kick: own parameters first, then columns that are shared. The own parameters are eliminated by a Schur complement, so that the system of all kicks stays as small as the number of shared columns,
@@ -92,24 +93,43 @@ final class KickBlock {
       }
     }
     // Some rows of all columns at once: the search asks for hundreds of columns, of which dot
-    // products would each read all rows.
-    double[][] some = new double[GATHERED][shared];
+    // products would each read all rows. Most of them do not concern this kick: other cameras,
+    // places, robots.
+    int[] used = nonZero(sharedColumns);
+    int n = used.length;
+    double[][] columns = new double[n][];
+    for (int k = 0; k < n; k++) {
+      columns[k] = sharedColumns[used[k]];
+    }
+    double[][] products = new double[own + n][n];
+    double[][] some = new double[GATHERED][n];
     for (int from = 0; from < rows; from += GATHERED) {
-      gather(sharedColumns, from, some);
+      gather(columns, from, some);
       for (int r = 0; r < GATHERED; r += TOGETHER) {
         for (int i = 0; i < own; i++) {
-          addProducts(ownColumns[i], from + r, weight, some, r, b[i], shared);
+          addProducts(ownColumns[i], from + r, weight, some, r, products[i], n);
         }
-        for (int k = 0; k < shared; k++) {
-          addProducts(sharedColumns[k], from + r, weight, some, r, c[k], k + 1);
+        for (int k = 0; k < n; k++) {
+          addProducts(columns[k], from + r, weight, some, r, products[own + k], k + 1);
         }
       }
     }
-    for (int k = 0; k < shared; k++) {
-      for (int m = 0; m < k; m++) {
-        c[m][k] = c[k][m];
+    for (int k = 0; k < n; k++) {
+      for (int i = 0; i < own; i++) {
+        b[i][used[k]] += products[i][k];
+      }
+      for (int m = 0; m <= k; m++) {
+        c[used[k]][used[m]] += products[own + k][m];
+        c[used[m]][used[k]] = c[used[k]][used[m]];
       }
     }
+  }
+
+  /** The columns that are not zero in all rows. */
+  private static int[] nonZero(double[][] columns) {
+    return IntStream.range(0, columns.length)
+        .filter(k -> Arrays.stream(columns[k]).anyMatch(v -> v != 0))
+        .toArray();
   }
 
   /** Some rows of the columns, zero after the last. */

@@ -71,6 +71,27 @@ public interface KickTerm<S> {
   }
 
   /**
+   * Both kinds of derivatives at once, which takes less time where they have something in common.
+   *
+   * @param own the kick's own parameters
+   * @param state of the shared model
+   * @param residuals at that point
+   * @param probes pairs of states a small step from each other
+   * @param ownColumns as of {@link #ownColumns}, to be filled in
+   * @param sharedColumns as of {@link #sharedColumns}, to be filled in
+   */
+  default void columns(
+      double[] own,
+      S state,
+      double[] residuals,
+      List<Probe<S>> probes,
+      double[][] ownColumns,
+      double[][] sharedColumns) {
+    ownColumns(own, state, residuals, ownColumns);
+    sharedColumns(own, state, residuals, probes, sharedColumns);
+  }
+
+  /**
    * What is known of an own parameter before any data.
    *
    * @param index of the parameter

@@ -48,6 +48,7 @@ final class Linearizer<S> {
     each(
         free,
         further,
+        new double[kicks.size()][],
         (k, residuals, ownColumns, shared) -> {
           KickBlock block = new KickBlock(ownColumns.length, shared.length);
           block.add(ownColumns, shared, residuals, problem.weights()[k]);
@@ -57,12 +58,13 @@ final class Linearizer<S> {
     return blocks;
   }
 
-  /** Columns of the free global parameters, kept for equations nearby; the residuals are filled in. */
+  /** Columns of the free global parameters, kept for equations nearby; of kicks whose residuals are null, these are filled in. */
   KickColumns[] columns(int[] free, double[][] residualsHere) {
     KickColumns[] columns = new KickColumns[kicks.size()];
     each(
         free,
         List.of(),
+        residualsHere,
         (k, residuals, ownColumns, shared) -> {
           residualsHere[k] = residuals;
           columns[k] = new KickColumns(ownColumns, shared, residuals.length, problem.weights()[k]);
@@ -76,7 +78,7 @@ final class Linearizer<S> {
     void make(int kick, double[] residuals, double[][] ownColumns, double[][] shared);
   }
 
-  private void each(int[] free, List<Probe<S>> further, Maker maker) {
+  private void each(int[] free, List<Probe<S>> further, double[][] known, Maker maker) {
     S centre = problem.model().at(values);
     List<Probe<S>> probes = new ArrayList<>();
     for (int f : free) {
@@ -89,12 +91,14 @@ final class Linearizer<S> {
             k -> {
               KickTerm<S> term = kicks.get(k);
               double[] p = own.get(k);
-              double[] residuals = new double[term.rows()];
-              term.residuals(p, centre, residuals);
+              double[] residuals = known[k];
+              if (residuals == null) {
+                residuals = new double[term.rows()];
+                term.residuals(p, centre, residuals);
+              }
               double[][] ownColumns = new double[p.length][residuals.length];
-              term.ownColumns(p, centre, residuals, ownColumns);
               double[][] shared = new double[probes.size()][residuals.length];
-              term.sharedColumns(p, centre, residuals, probes, shared);
+              term.columns(p, centre, residuals, probes, ownColumns, shared);
               maker.make(k, residuals, ownColumns, shared);
             });
   }
