@@ -123,20 +123,6 @@ public final class Reports {
     }
   }
 
-  /**
-   * By how much the reports move when the whole path is moved over the ground.
-   *
-   * @param axis 0 = along x, 1 = along y
-   * @param out receives x and y of each sighting, m per m
-   */
-  public void moved(int axis, double[] out) {
-    double[] by = slopes();
-    for (int i = 0; i < seen.size(); i++) {
-      out[2 * i] = by[6 * i + axis];
-      out[2 * i + 1] = by[6 * i + 3 + axis];
-    }
-  }
-
   private double[] slopes() {
     if (slopes == null) {
       slopes = new double[6 * seen.size()];

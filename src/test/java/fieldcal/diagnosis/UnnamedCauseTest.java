@@ -175,6 +175,7 @@ class UnnamedCauseTest {
     }
   }
 
+  @Tag("study")
   @Test
   void whatFollowsTheTimeOfTheSessionDoesNotDifferByChance() {
     SimulationSettings plain = FittedField.SOUND.withScenario(ScenarioKind.FLAT, 24);
@@ -226,6 +227,7 @@ class UnnamedCauseTest {
     }
   }
 
+  @Tag("study")
   @Test
   void ballsThatTurnAnotherWayInEachKickAreNotTakenForCauses() {
     Diagnosis diagnosis = diagnosed(ScenarioKind.FLAT, 16, new LopsidedBalls());
@@ -312,6 +314,7 @@ class UnnamedCauseTest {
     return Table.surface(grid, grid, values);
   }
 
+  @Tag("study")
   @Test
   void moundsAreNoSlope() {
     Diagnosis diagnosis =

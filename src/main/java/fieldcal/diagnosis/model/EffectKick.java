@@ -324,16 +324,26 @@ public final class EffectKick implements KickTerm<ModelState> {
     }
 
     void byOwn(double[][] columns) {
-      // To first order, moving the kick moves its whole path.
-      for (int axis = 0; axis < 2; axis++) {
-        reports.moved(axis, columns[axis]);
-        whiten(columns[axis]);
+      double[] ball = new double[3];
+      for (int b = 0; b < record.blocks.length; b++) {
+        // To first order, moving the kick moves its whole path.
+        double f = 1;
+        if (record.kind == KickKind.CHIP) {
+          path.positionAt(record.blockTime[b], ball);
+          f = record.blockHeight[b] / (record.blockHeight[b] - ball[2]);
+        }
+        columns[0][2 * b] = f;
+        columns[0][2 * b + 1] = 0;
+        columns[1][2 * b] = 0;
+        columns[1][2 * b + 1] = f;
       }
+      whiten(columns[0]);
+      whiten(columns[1]);
       double[] p = own.clone();
       for (int k = 2; k < own.length; k++) {
         double h = step(k);
         p[k] = own[k] + h;
-        reports.near(path(p, state, until), columns[k]);
+        reported(state, path(p, state, until), columns[k]);
         p[k] = own[k];
         difference(here, h, columns[k]);
       }
@@ -395,6 +405,10 @@ public final class EffectKick implements KickTerm<ModelState> {
       }
     }
     return false;
+  }
+
+  private void reported(ModelState state, ExtendedTrajectory path, double[] out) {
+    state.measurement().report(record.blockSightings, path, sessionStart, out);
   }
 
   /** The whitened derivative from two reports. */

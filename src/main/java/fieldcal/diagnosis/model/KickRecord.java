@@ -2,6 +2,7 @@ package fieldcal.diagnosis.model;
 
 import fieldcal.ball.BallState;
 import fieldcal.ball.BallTrajectory;
+import fieldcal.camera.Camera;
 import fieldcal.effect.Sightings;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.KickFit;
@@ -51,6 +52,7 @@ public final class KickRecord {
   final double[] y;
   final double[] row;
   final int[] camera;
+  final double[] cameraHeight;
   final double[] w11;
   final double[] w21;
   final double[] w22;
@@ -63,6 +65,7 @@ public final class KickRecord {
 
   final Sightings blockSightings;
   final double[] blockTime;
+  final double[] blockHeight;
   final double[] block11;
   final double[] block21;
   final double[] block22;
@@ -102,6 +105,7 @@ public final class KickRecord {
     y = new double[size];
     row = new double[size];
     camera = new int[size];
+    cameraHeight = new double[size];
     w11 = new double[size];
     w21 = new double[size];
     w22 = new double[size];
@@ -115,6 +119,8 @@ public final class KickRecord {
       row[i] = seen.pixelY(i);
       camera[i] = seen.camera(i);
       CameraView view = noise.cameras().get(camera[i]);
+      // Without geometry: infinitely high, so that a ball is reported where it is.
+      cameraHeight[i] = view.camera().map(Camera::heightAboveBallPlane).orElse(1e9);
       BallState state = path.stateAt(time[i]);
       double late = noise.stampNoise();
       whitening.at(view, x[i], y[i], late * state.vx(), late * state.vy());
@@ -128,6 +134,7 @@ public final class KickRecord {
     fromRest = kick.fromRest() && restCount() >= LEAST_REST;
     blocks = makeBlocks();
     blockTime = new double[blocks.length];
+    blockHeight = new double[blocks.length];
     block11 = new double[blocks.length];
     block21 = new double[blocks.length];
     block22 = new double[blocks.length];
@@ -150,6 +157,7 @@ public final class KickRecord {
     y = of.y;
     row = of.row;
     camera = of.camera;
+    cameraHeight = of.cameraHeight;
     w11 = divided(of.w11, times);
     w21 = divided(of.w21, times);
     w22 = divided(of.w22, times);
@@ -159,6 +167,7 @@ public final class KickRecord {
     fromRest = kick.fromRest() && restCount() >= LEAST_REST;
     blocks = makeBlocks();
     blockTime = new double[blocks.length];
+    blockHeight = new double[blocks.length];
     block11 = new double[blocks.length];
     block21 = new double[blocks.length];
     block22 = new double[blocks.length];
@@ -266,6 +275,7 @@ public final class KickRecord {
       for (int i : block) {
         blockTime[b] += time[i] / block.length;
         rows[b] += row[i] / block.length;
+        blockHeight[b] += cameraHeight[i] / block.length;
         block11[b] += w11[i] / root;
         block21[b] += w21[i] / root;
         block22[b] += w22[i] / root;
