@@ -314,7 +314,6 @@ class UnnamedCauseTest {
     return Table.surface(grid, grid, values);
   }
 
-  @Tag("study")
   @Test
   void moundsAreNoSlope() {
     Diagnosis diagnosis =

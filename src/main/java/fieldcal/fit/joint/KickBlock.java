@@ -127,9 +127,16 @@ final class KickBlock {
 
   /** The columns that are not zero in all rows. */
   private static int[] nonZero(double[][] columns) {
-    return IntStream.range(0, columns.length)
-        .filter(k -> Arrays.stream(columns[k]).anyMatch(v -> v != 0))
-        .toArray();
+    return IntStream.range(0, columns.length).filter(k -> !isZero(columns[k])).toArray();
+  }
+
+  private static boolean isZero(double[] column) {
+    for (double v : column) {
+      if (v != 0) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** Some rows of the columns, zero after the last. */
