@@ -170,10 +170,25 @@ final class ModelChoice {
       FittedModel simpler = simplified || spent ? at : replaced(at, CauseSearch::simplified);
       simplified = true;
       if (simpler == at) {
-        return best(way);
+        Weighed best = best(way);
+        return best == way.get(way.size() - 1) ? best : simplified(best);
       }
       at = simpler;
     }
+  }
+
+  /** A model with simpler components in place of others, if it follows held-out kicks as well. Beside a curve that only helps to follow the kicks, a cause no longer has to explain what the curve does. */
+  private Weighed simplified(Weighed weighed) {
+    FittedModel simpler =
+        fitter.effort().isSpent()
+            ? weighed.model
+            : replaced(weighed.model, CauseSearch::simplified);
+    if (simpler == weighed.model) {
+      return weighed;
+    }
+    HoldOut held = HoldOut.of(simpler, true, seed);
+    Weighed other = new Weighed(simpler, decision.judge(simpler, held), held);
+    return other.mayReplace(weighed, settings.formGain(), seed) ? other : weighed;
   }
 
   private static boolean hasCurve(FittedModel model) {

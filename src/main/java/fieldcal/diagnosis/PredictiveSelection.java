@@ -10,6 +10,7 @@ import fieldcal.diagnosis.search.SearchStep;
 import fieldcal.diagnosis.search.SearchStep.Action;
 import fieldcal.diagnosis.search.Shortlist;
 import fieldcal.diagnosis.validation.HoldOut;
+import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.List;
@@ -105,8 +106,18 @@ final class PredictiveSelection {
     List<List<Component>> all = new ArrayList<>();
     Stream.of(Weighing.ALIKE, Weighing.EXPLAINED_FIRST)
         .flatMap(w -> new Shortlist(model, dictionary, w).shared(TRIED).stream())
-        .filter(c -> all.stream().noneMatch(known -> known.toString().equals(c.toString())))
+        .filter(c -> all.stream().noneMatch(known -> isSame(known, c)))
         .forEach(all::add);
     return all;
+  }
+
+  /** Whether two proposals need not both be fitted. Of curves and maps only the one that promises most is tried in each round: the others have another chance in the next, and each fit of chips takes a second. */
+  private static boolean isSame(List<Component> one, List<Component> other) {
+    boolean learned = isLearned(one) && isLearned(other);
+    return learned || one.toString().equals(other.toString());
+  }
+
+  private static boolean isLearned(List<Component> proposal) {
+    return proposal.stream().allMatch(c -> c.template() instanceof LearnedTerm);
   }
 }

@@ -246,6 +246,15 @@ public interface Effect {
   }
 
   /**
+   * The same effect with more magnitudes, which show finer detail.
+   *
+   * @return the effect as it is, in those magnitudes; empty unless an effect says otherwise
+   */
+  default Optional<Effect> finer() {
+    return Optional.empty();
+  }
+
+  /**
    * The same effect with all magnitudes zero.
    *
    * @return an absent effect

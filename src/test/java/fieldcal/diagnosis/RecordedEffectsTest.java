@@ -227,6 +227,7 @@ class RecordedEffectsTest {
   }
 
   /** A push across the field that changes its sign every 1.7 m, of ±0.071 m/s²: the curve has more numbers than there are kicks. */
+  @Tag("study")
   @Test
   void aPushInWavesIsLearned() throws IOException {
     Diagnosis diagnosis = diagnose("ode-waves");

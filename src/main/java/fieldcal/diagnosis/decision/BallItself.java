@@ -17,7 +17,7 @@ import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 
 /**
  * Whether a value that each kick has may be the ball itself and not what it is named after, where only what is known of the ball's own law distinguishes the two: if its mean is within two errors of what a ball without the cause seems to have, and it scatters no more than it would without the cause. What is not known of the ball's law is the
- * same in all flat kicks, so there it excuses a mean and no scatter, except that a resistance in the slide is as large as the rolling of each kick. Chips scatter also where the law of their bounces is not quite right, by as much as is not known of the ball. Immutable and thread-safe.
+ * same in all flat kicks, so there it excuses a mean and no scatter beyond that of a few kicks, except that a resistance in the slide is as large as the rolling of each kick. Chips scatter also where the law of their bounces is not quite right, by as much as is not known of the ball. Immutable and thread-safe.
  */
 final class BallItself {
   /** Distance that is not due to chance, in standard errors. */
@@ -53,8 +53,9 @@ final class BallItself {
     if (effect.ballKnowledge().isEmpty() || covariance.isEmpty() || errors.isEmpty()) {
       return false;
     }
-    double scatter = model.scatter(component);
-    double sampling = scatter * scatter / model.kickCount();
+    double modelled = model.scatter(component);
+    double sampling = modelled * modelled / model.kickCount();
+    double scatter = Math.min(modelled, scatterOfMost());
     for (double error : errors.get().values()) {
       double known = Math.sqrt(Math.max(0, error * error - sampling));
       if (scatter > BEYOND * known) {
@@ -113,9 +114,15 @@ final class BallItself {
     return value;
   }
 
+  /** By how much the values differ in more than a few kicks. */
+  private double scatterOfMost() {
+    return KickValues.of(model, component).withoutFarthest(Decision.TOO_FEW_KICKS).scatter();
+  }
+
   /** Whether the values of the flat kicks differ by more than those of kicks without the cause, whether or not the carpet resists the turning of a ball that slides. */
   private boolean flatsScatter() {
-    KickValues flats = KickValues.of(model, component).of(KickKind.FLAT);
+    KickValues flats =
+        KickValues.of(model, component).of(KickKind.FLAT).withoutFarthest(Decision.TOO_FEW_KICKS);
     int n = flats.kicks().size();
     if (n == 0) {
       return false;

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
+import org.apache.commons.math3.stat.StatUtils;
 
 /**
  * A value that differs from kick to kick, together with what is recorded of each kick. Immutable.
@@ -85,6 +86,17 @@ record KickValues(double mean, List<Kick> kicks) {
   /** The same of one kind of kick. */
   KickValues of(KickKind kind) {
     return new KickValues(mean, kicks.stream().filter(k -> k.kind == kind).toList());
+  }
+
+  /** The same without the kicks whose values are farthest from the median: what only these show is something that happened to them. */
+  KickValues withoutFarthest(int few) {
+    double middle = StatUtils.percentile(kicks.stream().mapToDouble(Kick::value).toArray(), 50);
+    return new KickValues(
+        mean,
+        kicks.stream()
+            .sorted(Comparator.comparingDouble(k -> Math.abs(k.value - middle)))
+            .limit(Math.max(0, kicks.size() - few))
+            .toList());
   }
 
   /** What is left beside something that is known of each kick, whose values are shrunk to their mean as the others are. */

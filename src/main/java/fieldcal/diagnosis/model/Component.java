@@ -4,6 +4,7 @@ import fieldcal.ball.Parameter;
 import fieldcal.effect.Area;
 import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
+import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.fit.joint.SharedProblem.Prior;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -146,6 +147,15 @@ public final class Component {
    */
   public Component startingAt(Effect start) {
     return new Component(start, magnitudes, perKick, placesFree);
+  }
+
+  /**
+   * The same with more magnitudes, which show finer detail.
+   *
+   * @return from the template's numbers on; empty where there is none
+   */
+  public Optional<Component> finer() {
+    return template.finer().map(e -> of(e, e.magnitudes()));
   }
 
   /**
@@ -366,6 +376,10 @@ public final class Component {
   @Override
   public String toString() {
     StringBuilder text = new StringBuilder(template.id());
+    if (template instanceof LearnedTerm) {
+      // All learned terms have the same id.
+      text.append(' ').append(template.subject()).append(" of ").append(magnitudes.size());
+    }
     if (!magnitudes.equals(template.magnitudes())) {
       text.append(magnitudes);
     }

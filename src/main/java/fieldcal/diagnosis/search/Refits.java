@@ -51,13 +51,20 @@ final class Refits {
       Component start = c;
       for (int i = 0; i < had.size(); i++) {
         Component h = had.get(i);
-        if (h == c || c.isSameCause(h) && Dictionary.isMore(c, h)) {
+        if (h == c || frees(c, h)) {
           start = c.startingAt(now.get(i));
         }
       }
       started.add(start);
     }
     return fitter.fit(from.resumedWith(started), from, weighing, solver);
+  }
+
+  /** Whether a component frees numbers that a component of the model holds. One with finer detail has other numbers, and begins where the model's ended. */
+  private static boolean frees(Component c, Component had) {
+    return c.isSameCause(had)
+        && Dictionary.isMore(c, had)
+        && c.template().parameters().size() == had.template().parameters().size();
   }
 
   /** The same components with their places fitted together with everything else, and held there again. */

@@ -60,9 +60,13 @@ public final class Shortlist {
     return scorer.gain(new Proposal(c, false), sweep) - Price.of(c);
   }
 
-  /** Proposals that pass, those with a place at the best few places of each family. */
+  /** Proposals that pass, those with a place at the best few places of each family, and what the model has in finer detail. */
   List<Proposal> all(Predicate<Proposal> allowed) {
     List<Proposal> proposals = new ArrayList<>(dictionary.everywhere(model.model()));
+    model.started().stream()
+        .flatMap(c -> c.finer().stream())
+        .map(Proposal::of)
+        .forEach(proposals::add);
     proposals.addAll(bestPlaces());
     proposals.removeIf(allowed.negate());
     return proposals;

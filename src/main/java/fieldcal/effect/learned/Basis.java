@@ -1,5 +1,7 @@
 package fieldcal.effect.learned;
 
+import java.util.Optional;
+
 /**
  * A few functions of one or two numbers, of which smooth curves are made as linear combinations. Immutable.
  *
@@ -53,6 +55,27 @@ public sealed interface Basis permits Spline, Surface, Stripes, Harmonics, Polyn
    * @return in the unit of the number, positive; infinite when it does not matter
    */
   double resolution(int axis);
+
+  /**
+   * A basis of the same kind with finer detail: knots half as far apart, a higher degree. Every curve of this one is a curve of it, too.
+   *
+   * @return empty when there is none
+   */
+  default Optional<Basis> finer() {
+    return Optional.empty();
+  }
+
+  /**
+   * The same curve in the finer basis.
+   *
+   * @param coefficients as many as functions from index {@code from} on
+   * @param from index of the first
+   * @return as many as the finer basis has functions
+   * @throws UnsupportedOperationException when there is no finer basis
+   */
+  default double[] inFiner(double[] coefficients, int from) {
+    throw new UnsupportedOperationException(type() + ": has no finer basis");
+  }
 
   /** A function of one or two numbers. Immutable. */
   @FunctionalInterface

@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import org.apache.commons.math3.util.MathArrays;
 
 /**
  * A smooth term that describes what no named effect explains: a {@linkplain LearnedFamily family} with its coefficients c1 … cK, all of which are magnitudes. Also
@@ -128,6 +129,22 @@ public abstract sealed class LearnedTerm implements Effect
   /** Whether it depends on a variable. */
   final boolean dependsOn(Variable variable) {
     return family.variables().contains(variable);
+  }
+
+  /** {@inheritDoc} It has more functions. */
+  @Override
+  public final Optional<Effect> finer() {
+    return family.basis().finer().map(this::in);
+  }
+
+  private LearnedTerm in(Basis finer) {
+    Basis coarse = family.basis();
+    double[] all = new double[0];
+    for (int i = 0; i < curves.length; i++) {
+      all = MathArrays.concatenate(all, coarse.inFiner(coefficients, i * coarse.size()));
+    }
+    return new LearnedFamily(family.quantity(), family.variables(), finer, family.camera())
+        .term(all);
   }
 
   @Override

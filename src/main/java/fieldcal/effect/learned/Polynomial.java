@@ -1,11 +1,12 @@
 package fieldcal.effect.learned;
 
 import java.util.Arrays;
+import java.util.Optional;
 
 /**
  * Products of Legendre polynomials P_i(u)·P_j(v) with i + j ≤ degree over a rectangle, first by the sum i + j, then by j; constant beyond the rectangle's sides. Centred, without the constant P_0·P_0.
  *
- * @param degree 1 to 3
+ * @param degree 1 to 5
  * @param fromX beginning of the first number's range
  * @param toX its end
  * @param fromY beginning of the second number's range
@@ -16,7 +17,7 @@ public record Polynomial(
     int degree, double fromX, double toX, double fromY, double toY, boolean centred)
     implements Basis {
   static final String TYPE = "polynomial";
-  private static final int HIGHEST_DEGREE = 3;
+  private static final int HIGHEST_DEGREE = 5;
 
   /**
    * Checks the numbers. {@inheritDoc}
@@ -49,8 +50,8 @@ public record Polynomial(
 
   @Override
   public double resolution(int axis) {
-    // A quarter of the range, over which a cubic is integrated to a hundredth.
-    return (axis == 0 ? toX - fromX : toY - fromY) / 4;
+    // A quarter of the range for a cubic, which is integrated to a hundredth over it.
+    return 0.75 / degree * (axis == 0 ? toX - fromX : toY - fromY);
   }
 
   @Override
@@ -63,6 +64,20 @@ public record Polynomial(
         values[n++] = legendre(sum - j, x) * legendre(j, y);
       }
     }
+  }
+
+  @Override
+  public Optional<Basis> finer() {
+    return degree + 2 <= HIGHEST_DEGREE
+        ? Optional.of(new Polynomial(degree + 2, fromX, toX, fromY, toY, centred))
+        : Optional.empty();
+  }
+
+  @Override
+  public double[] inFiner(double[] coefficients, int from) {
+    // The functions of higher degree come after these.
+    double[] own = Arrays.copyOfRange(coefficients, from, from + size());
+    return Arrays.copyOf(own, new Polynomial(degree + 2, fromX, toX, fromY, toY, centred).size());
   }
 
   @Override
@@ -96,7 +111,9 @@ public record Polynomial(
       case 0 -> 1;
       case 1 -> x;
       case 2 -> 1.5 * x * x - 0.5;
-      default -> (2.5 * x * x - 1.5) * x;
+      case 3 -> (2.5 * x * x - 1.5) * x;
+      case 4 -> (4.375 * x * x - 3.75) * x * x + 0.375;
+      default -> ((7.875 * x * x - 8.75) * x * x + 1.875) * x;
     };
   }
 }

@@ -1,5 +1,8 @@
 package fieldcal.effect.learned;
 
+import java.util.Arrays;
+import java.util.Optional;
+
 /**
  * Cubic B-splines on equally spaced knots, level at both ends of the range and constant outside: those that reach over an end are folded back, so that
  * they still add up to 1 everywhere.
@@ -104,8 +107,57 @@ public record Spline(double from, double to, int knots, boolean centred) impleme
   }
 
   @Override
-  public Curve curve(double[] coefficients, int from) {
-    // The control values with one more at each end: folding is mirroring them.
+  public Optional<Basis> finer() {
+    int halved = 2 * knots - 1;
+    return halved <= MOST_KNOTS
+        ? Optional.of(new Spline(from, to, halved, centred))
+        : Optional.empty();
+  }
+
+  @Override
+  public double[] inFiner(double[] coefficients, int from) {
+    double[] finer = halved(control(coefficients, from));
+    return centred ? Arrays.copyOfRange(amplitudes(finer), 1, finer.length) : finer;
+  }
+
+  /**
+   * The control values when a knot is inserted in the middle of each interval (Lane and Riesenfeld, A Theoretical Development for the Computer Generation and Display of Piecewise Polynomial Surfaces, 1980).
+   *
+   * @param control values of the B-splines, one more at each end
+   * @return values at the old and new knots in turn
+   */
+  static double[] halved(double[] control) {
+    double[] halved = new double[2 * (control.length - 2) - 1];
+    for (int i = 0; i < halved.length; i++) {
+      int k = i / 2 + 1;
+      halved[i] =
+          i % 2 == 0
+              ? (control[k - 1] + 6 * control[k] + control[k + 1]) / 8
+              : (control[k] + control[k + 1]) / 2;
+    }
+    return halved;
+  }
+
+  /** Amplitudes of the waves whose sums are these values at the knots, the constant first: the inverse of the discrete cosine transform. */
+  static double[] amplitudes(double[] values) {
+    int last = values.length - 1;
+    double[] amplitudes = new double[values.length];
+    for (int j = 0; j <= last; j++) {
+      double sum = 0;
+      for (int i = 0; i <= last; i++) {
+        sum += (isEnd(i, last) ? 0.5 : 1) * values[i] * Math.cos(Math.PI * j * i / last);
+      }
+      amplitudes[j] = (isEnd(j, last) ? 1 : 2) * sum / last;
+    }
+    return amplitudes;
+  }
+
+  private static boolean isEnd(int i, int last) {
+    return i == 0 || i == last;
+  }
+
+  /** The control values with one more at each end: folding is mirroring them. */
+  private double[] control(double[] coefficients, int from) {
     double[] control = new double[knots + 2];
     for (int i = 0; i < knots; i++) {
       double value = centred ? 0 : coefficients[from + i];
@@ -116,6 +168,12 @@ public record Spline(double from, double to, int knots, boolean centred) impleme
     }
     control[0] = control[2];
     control[knots + 1] = control[knots - 1];
+    return control;
+  }
+
+  @Override
+  public Curve curve(double[] coefficients, int from) {
+    double[] control = control(coefficients, from);
     double[] cubics = cubics(control);
     return (u, v) -> {
       double p = position(u);

@@ -1,5 +1,8 @@
 package fieldcal.effect.learned;
 
+import java.util.Optional;
+import org.apache.commons.math3.util.MathArrays;
+
 /**
  * Sum of a spline over x and one over y, for what depends on a place in stripes: an additive model (Hastie and Tibshirani, Generalized Additive Models, 1990). It resolves finer structures than a {@link Surface} with as many coefficients, but not isolated patches.
  *
@@ -46,6 +49,17 @@ public record Stripes(Spline x, Spline y) implements Basis {
     double[] ofY = new double[y.size()];
     y.values(v, 0, ofY);
     System.arraycopy(ofY, 0, values, x.size(), ofY.length);
+  }
+
+  @Override
+  public Optional<Basis> finer() {
+    return x.finer().flatMap(fx -> y.finer().map(fy -> new Stripes((Spline) fx, (Spline) fy)));
+  }
+
+  @Override
+  public double[] inFiner(double[] coefficients, int from) {
+    return MathArrays.concatenate(
+        x.inFiner(coefficients, from), y.inFiner(coefficients, from + x.size()));
   }
 
   @Override

@@ -1,7 +1,12 @@
 package fieldcal.effect.learned;
 
 import fieldcal.effect.Area;
+import java.util.Arrays;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.util.MathArrays;
 
 /**
  * Tensor product of two splines, for what depends on a place. Centred, it is made of the products of both splines' waves without the constant.
@@ -15,6 +20,9 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
 
   /** A fast ball crosses several knots in one step's time: with half the steps of a curve errors stay below a hundredth of a millimetre (tested). */
   private static final double STEPS_OF_A_CURVE = 0.5;
+
+  /** Functions of a finer surface at most, as of a map of the carpet: more would be too many for the kicks of any session. */
+  private static final int MOST_WHEN_FINER = 120;
 
   /**
    * Checks the splines. {@inheritDoc}
@@ -86,7 +94,41 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
   }
 
   @Override
+  public Optional<Basis> finer() {
+    return x.finer()
+        .flatMap(fx -> y.finer().map(fy -> new Surface((Spline) fx, (Spline) fy, centred)))
+        .filter(s -> s.size() <= MOST_WHEN_FINER)
+        .map(Basis.class::cast);
+  }
+
+  @Override
+  public double[] inFiner(double[] coefficients, int from) {
+    RealMatrix control = new Array2DRowRealMatrix(control(coefficients, from));
+    RealMatrix finer = ofColumns(ofRows(control, Spline::halved), Spline::halved);
+    if (!centred) {
+      return MathArrays.concatenate(finer.getData());
+    }
+    RealMatrix waves = ofColumns(ofRows(finer, Spline::amplitudes), Spline::amplitudes);
+    double[] all = MathArrays.concatenate(waves.getData());
+    return Arrays.copyOfRange(all, 1, all.length);
+  }
+
+  private static RealMatrix ofColumns(RealMatrix m, UnaryOperator<double[]> change) {
+    return ofRows(m.transpose(), change).transpose();
+  }
+
+  private static RealMatrix ofRows(RealMatrix m, UnaryOperator<double[]> change) {
+    double[][] changed = Arrays.stream(m.getData()).map(change).toArray(double[][]::new);
+    return new Array2DRowRealMatrix(changed);
+  }
+
+  @Override
   public Relief curve(double[] coefficients, int from) {
+    return new Cells(this, cubics(control(coefficients, from)));
+  }
+
+  /** The control values with one more at each end: folding is mirroring them. */
+  private double[][] control(double[] coefficients, int from) {
     int nx = x.knots();
     int ny = y.knots();
     double[][] control = new double[nx + 2][ny + 2];
@@ -102,7 +144,7 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
     }
     control[0] = control[2];
     control[nx + 1] = control[nx - 1];
-    return new Cells(this, cubics(control));
+    return control;
   }
 
   private double sumOfWaves(double[] coefficients, int from, int i, int j) {

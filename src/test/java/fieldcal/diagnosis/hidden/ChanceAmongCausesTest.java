@@ -38,6 +38,7 @@ class ChanceAmongCausesTest {
     return new Diagnoser().diagnose(FittedField.of(world).problem(), said -> {});
   }
 
+  @Tag("study")
   @Test
   void isNotTakenForOtherCauses() {
     requireOwnScatter(11);

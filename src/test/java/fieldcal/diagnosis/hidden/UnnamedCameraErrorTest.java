@@ -16,6 +16,7 @@ import fieldcal.simulation.ScenarioKind;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** What nobody has a name for may be in a camera: its reports of a sound field are made wrong here. */
@@ -138,6 +139,7 @@ class UnnamedCameraErrorTest {
     assertThat(diagnosis.unexplained().significant()).isTrue();
   }
 
+  @Tag("study")
   @Test
   void stampsThatAreLateByTheSpeedAreFound() {
     double late = 0.4e-3;

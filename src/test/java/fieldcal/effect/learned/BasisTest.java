@@ -27,6 +27,7 @@ class BasisTest {
     all.add(new Polynomial(3, -3, 2, -1, 5, true));
     all.add(new Polynomial(3, -3, 2, -1, 5, false));
     all.add(new Polynomial(1, -3, 2, -1, 5, true));
+    all.add(new Polynomial(2, -3, 2, -1, 5, false));
     all.add(new Levels(2, 3));
     return all;
   }
@@ -50,6 +51,40 @@ class BasisTest {
         assertThat(curve.at(u, v)).isEqualTo(sum, within(EXACT));
       }
     }
+  }
+
+  @ParameterizedTest
+  @MethodSource("all")
+  void aFinerBasisHasTheSameCurve(Basis basis) {
+    boolean isFixed = basis instanceof Harmonics || basis instanceof Levels;
+    assertThat(basis.finer().isEmpty()).isEqualTo(isFixed);
+    if (isFixed) {
+      assertThatThrownBy(() -> basis.inFiner(new double[basis.size()], 0))
+          .isInstanceOf(UnsupportedOperationException.class)
+          .hasMessageContaining(basis.type());
+      return;
+    }
+    Basis finer = basis.finer().orElseThrow();
+    assertThat(finer.size()).isGreaterThan(basis.size() + basis.dimension());
+    double[] coefficients = new double[basis.size() + 2];
+    for (int i = 0; i < coefficients.length; i++) {
+      coefficients[i] = Math.sin(1 + 3 * i);
+    }
+    Basis.Curve coarse = basis.curve(coefficients, 1);
+    Basis.Curve same = finer.curve(basis.inFiner(coefficients, 1), 0);
+    for (double u = -8; u < 9; u += 0.37) {
+      for (double v = -6; v < 7; v += 1.1) {
+        assertThat(same.at(u, v)).isEqualTo(coarse.at(u, v), within(EXACT));
+      }
+    }
+  }
+
+  @Test
+  void whatHasManyFunctionsIsNotMadeFiner() {
+    assertThat(new Polynomial(5, 0, 1, 0, 1, true).finer()).isEmpty();
+    assertThat(new Spline(0, 1, 17, true).finer()).isEmpty();
+    Spline side = new Spline(0, 1, 7, false);
+    assertThat(new Surface(side, side, true).finer()).isEmpty();
   }
 
   @Test
@@ -116,6 +151,32 @@ class BasisTest {
     }
   }
 
+  /** Legendre polynomials are 1 at the end of the range, and orthogonal over it; here by the midpoint rule. */
+  @Test
+  void polynomialsAreThoseOfLegendre() {
+    Polynomial basis = new Polynomial(5, -1, 1, -1, 1, false);
+    double[] values = new double[basis.size()];
+    basis.values(1, 1, values);
+    assertThat(values).containsOnly(1);
+    double[][] products = new double[values.length][values.length];
+    double h = 0.01;
+    for (double u = -1 + h / 2; u < 1; u += h) {
+      for (double v = -1 + h / 2; v < 1; v += h) {
+        basis.values(u, v, values);
+        for (int i = 0; i < values.length; i++) {
+          for (int j = 0; j < i; j++) {
+            products[i][j] += values[i] * values[j] * h * h;
+          }
+        }
+      }
+    }
+    for (double[] row : products) {
+      for (double product : row) {
+        assertThat(product).isEqualTo(0, within(1e-3));
+      }
+    }
+  }
+
   @Test
   void refusesWhatIsNoRange() {
     Spline whole = new Spline(0, 1, 3, false);
@@ -125,7 +186,7 @@ class BasisTest {
     assertThatThrownBy(() -> new Spline(0, 1, 2, true)).hasMessageStartingWith("knots:");
     assertThatThrownBy(() -> new Harmonics(5, 1)).hasMessageStartingWith("order:");
     assertThatThrownBy(() -> new Harmonics(1, 0)).hasMessageStartingWith("period:");
-    assertThatThrownBy(() -> new Polynomial(4, 0, 1, 0, 1, true)).hasMessageStartingWith("degree:");
+    assertThatThrownBy(() -> new Polynomial(6, 0, 1, 0, 1, true)).hasMessageStartingWith("degree:");
     assertThatThrownBy(() -> new Levels(1, 0)).hasMessageStartingWith("count:");
   }
 }
