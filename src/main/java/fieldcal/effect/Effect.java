@@ -246,6 +246,15 @@ public interface Effect {
   }
 
   /**
+   * A name for the steps of a search, which tells effects with the same id apart even where no parameter does.
+   *
+   * @return the id unless an effect says otherwise
+   */
+  default String label() {
+    return id();
+  }
+
+  /**
    * The same effect with more magnitudes, which show finer detail.
    *
    * @return the effect as it is, in those magnitudes; empty unless an effect says otherwise

@@ -4,7 +4,6 @@ import fieldcal.ball.Parameter;
 import fieldcal.effect.Area;
 import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
-import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.fit.joint.SharedProblem.Prior;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -375,11 +374,7 @@ public final class Component {
 
   @Override
   public String toString() {
-    StringBuilder text = new StringBuilder(template.id());
-    if (template instanceof LearnedTerm) {
-      // All learned terms have the same id.
-      text.append(' ').append(template.subject()).append(" of ").append(magnitudes.size());
-    }
+    StringBuilder text = new StringBuilder(template.label());
     if (!magnitudes.equals(template.magnitudes())) {
       text.append(magnitudes);
     }

@@ -131,6 +131,12 @@ public abstract sealed class LearnedTerm implements Effect
     return family.variables().contains(variable);
   }
 
+  /** {@inheritDoc} With what it changes, on what it depends, and the number of its coefficients. */
+  @Override
+  public final String label() {
+    return ID + " " + family.key() + " of " + coefficients.length;
+  }
+
   /** {@inheritDoc} It has more functions. */
   @Override
   public final Optional<Effect> finer() {
