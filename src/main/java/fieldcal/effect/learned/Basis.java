@@ -61,17 +61,17 @@ public sealed interface Basis permits Spline, Surface, Stripes, Harmonics, Polyn
    *
    * @return empty when there is none
    */
-  default Optional<Basis> finer() {
+  default Optional<? extends Basis> finer() {
     return Optional.empty();
   }
 
   /**
-   * The same curve in the finer basis.
+   * The same curve in the finer basis, which must exist.
    *
    * @param coefficients as many as functions from index {@code from} on
    * @param from index of the first
    * @return as many as the finer basis has functions
-   * @throws UnsupportedOperationException when there is no finer basis
+   * @throws UnsupportedOperationException of a kind of basis that has no finer ones
    */
   default double[] inFiner(double[] coefficients, int from) {
     throw new UnsupportedOperationException(type() + ": has no finer basis");

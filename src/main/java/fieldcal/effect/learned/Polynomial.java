@@ -67,7 +67,7 @@ public record Polynomial(
   }
 
   @Override
-  public Optional<Basis> finer() {
+  public Optional<Polynomial> finer() {
     return degree + 2 <= HIGHEST_DEGREE
         ? Optional.of(new Polynomial(degree + 2, fromX, toX, fromY, toY, centred))
         : Optional.empty();

@@ -107,7 +107,7 @@ public record Spline(double from, double to, int knots, boolean centred) impleme
   }
 
   @Override
-  public Optional<Basis> finer() {
+  public Optional<Spline> finer() {
     int halved = 2 * knots - 1;
     return halved <= MOST_KNOTS
         ? Optional.of(new Spline(from, to, halved, centred))

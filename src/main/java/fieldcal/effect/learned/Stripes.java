@@ -52,8 +52,8 @@ public record Stripes(Spline x, Spline y) implements Basis {
   }
 
   @Override
-  public Optional<Basis> finer() {
-    return x.finer().flatMap(fx -> y.finer().map(fy -> new Stripes((Spline) fx, (Spline) fy)));
+  public Optional<Stripes> finer() {
+    return x.finer().flatMap(fx -> y.finer().map(fy -> new Stripes(fx, fy)));
   }
 
   @Override

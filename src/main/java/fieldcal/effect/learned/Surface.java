@@ -94,11 +94,10 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
   }
 
   @Override
-  public Optional<Basis> finer() {
+  public Optional<Surface> finer() {
     return x.finer()
-        .flatMap(fx -> y.finer().map(fy -> new Surface((Spline) fx, (Spline) fy, centred)))
-        .filter(s -> s.size() <= MOST_WHEN_FINER)
-        .map(Basis.class::cast);
+        .flatMap(fx -> y.finer().map(fy -> new Surface(fx, fy, centred)))
+        .filter(s -> s.size() <= MOST_WHEN_FINER);
   }
 
   @Override
