@@ -146,14 +146,19 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   private static HoldOut of(FittedModel model, boolean predicts, double[] scatters, long seed) {
     int n = model.kickCount();
     int[] part = parts(model, seed);
+    List<boolean[]> without = new ArrayList<>();
+    for (int p = 0; p < PARTS; p++) {
+      boolean[] of = new boolean[n];
+      for (int k = 0; k < n; k++) {
+        of[k] = part[k] == p;
+      }
+      without.add(of);
+    }
+    List<double[]> rest = model.solution().valuesWithoutEach(without);
     ModelState[] states = new ModelState[PARTS];
     double[][] means = new double[PARTS][];
     for (int p = 0; p < PARTS; p++) {
-      boolean[] without = new boolean[n];
-      for (int k = 0; k < n; k++) {
-        without[k] = part[k] == p;
-      }
-      double[] values = model.solution().valuesWithout(without);
+      double[] values = rest.get(p);
       states[p] = model.model().at(values);
       means[p] =
           model.solution().problem().randoms().stream()

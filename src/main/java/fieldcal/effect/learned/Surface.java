@@ -18,7 +18,7 @@ import org.apache.commons.math3.util.MathArrays;
 public record Surface(Spline x, Spline y, boolean centred) implements Basis {
   static final String TYPE = "surface";
 
-  /** A fast ball crosses several knots in one step's time: with half the steps of a curve errors stay below a hundredth of a millimetre (tested). */
+  /** A fast ball crosses several knots in one step's time: with steps half as long as those of a curve errors stay as small (tested). */
   private static final double STEPS_OF_A_CURVE = 0.5;
 
   /** Functions of a finer surface at most, as of a map of the carpet: more would be too many for the kicks of any session. */

@@ -4,6 +4,7 @@ import fieldcal.ball.Parameter;
 import fieldcal.fit.joint.SharedProblem.Prior;
 import fieldcal.fit.joint.SharedSolution.StopReason;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
@@ -78,6 +79,18 @@ final class Descent<S> {
     meanColumns = problem.meanColumns(free);
     scale = problem.scales(free);
     rows = kicks.stream().mapToInt(KickTerm::rows).sum();
+  }
+
+  /** The same for some of the kicks, to go down from here with the derivatives that all have here; before the first step. */
+  Descent<S> restrictedTo(int[] kept) {
+    if (columns == null) {
+      linearize();
+    }
+    Descent<S> some = new Descent<>(problem.restrictedTo(kept), maxIterations, tolerance);
+    some.columns = Arrays.stream(kept).mapToObj(k -> columns[k]).toArray(KickColumns[]::new);
+    some.residuals = Arrays.stream(kept).mapToObj(k -> residuals[k]).toArray(double[][]::new);
+    some.fresh = fresh;
+    return some;
   }
 
   /** A place to come back to, with the derivatives that there were. */

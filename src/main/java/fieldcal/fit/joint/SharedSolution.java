@@ -443,6 +443,31 @@ public final class SharedSolution<S> {
    * @return values of all global parameters, within their bounds, in the problem's order
    */
   public double[] valuesWithout(boolean[] without) {
+    return valuesWithoutEach(List.of(without)).get(0);
+  }
+
+  /**
+   * The same for several choices of kicks, for which derivatives are taken at most once.
+   *
+   * @param parts for each choice, whether to leave out each kick
+   * @return values for each choice
+   */
+  public List<double[]> valuesWithoutEach(List<boolean[]> parts) {
+    List<double[]> all = new ArrayList<>();
+    Descent<S> here = null;
+    for (boolean[] without : parts) {
+      double[] stepped = steppedWithout(without);
+      if (stepped == null) {
+        here = here == null ? descentFromHere() : here;
+        stepped = refitted(here, without);
+      }
+      all.add(stepped);
+    }
+    return all;
+  }
+
+  /** The values after the Newton step; null where the other kicks are explained worse by it. */
+  private double[] steppedWithout(boolean[] without) {
     int n = free.length;
     double[] g = new double[n];
     for (int k = 0; k < gradients.length; k++) {
@@ -469,12 +494,18 @@ public final class SharedSolution<S> {
     S state = problem.model().at(moved);
     double least = costOfOthers(without, values, k -> cost(k, own.get(k), chiSquares[k], before));
     double reached = costOfOthers(without, moved, k -> costAt(moved, state, k, after));
-    return reached <= least + Math.max(1, reducedChiSquare()) ? moved : refitted(without);
+    return reached <= least + Math.max(1, reducedChiSquare()) ? moved : null;
   }
 
-  /** Global parameters of the kicks that stay, with the scatters and the discrete unknowns of all. */
-  private double[] refitted(boolean[] without) {
+  /** Global parameters of the kicks that stay, with the scatters and the discrete unknowns of all. What is asked is how others are predicted, so what the derivatives at the solution of all kicks say of the minimum will do. */
+  private static <S> double[] refitted(Descent<S> here, boolean[] without) {
     int[] kept = IntStream.range(0, without.length).filter(k -> !without[k]).toArray();
+    Descent<S> descent = here.restrictedTo(kept);
+    descent.approach();
+    return descent.values().clone();
+  }
+
+  private Descent<S> descentFromHere() {
     List<Parameter> start =
         IntStream.range(0, values.length)
             .mapToObj(i -> problem.globals().get(i).withValue(values[i]))
@@ -483,13 +514,11 @@ public final class SharedSolution<S> {
         IntStream.range(0, scatters.length)
             .mapToObj(r -> problem.randoms().get(r).withScatter(scatters[r]))
             .toList();
-    SharedProblem<S> all =
+    return new Descent<>(
         new SharedProblem<>(
-            problem.model(), kicks, own, start, problem.priors(), held, problem.weights());
-    Descent<S> descent =
-        new Descent<>(all.restrictedTo(kept), MOST_STEPS_WITHOUT, SharedSolver.COARSE);
-    descent.descend();
-    return descent.values().clone();
+            problem.model(), kicks, own, start, problem.priors(), held, problem.weights()),
+        MOST_STEPS_WITHOUT,
+        SharedSolver.COARSE);
   }
 
   /** The cost of all kicks but some, and of the priors. */
