@@ -14,7 +14,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.BiPredicate;
 import java.util.stream.Stream;
 
 /** The stage that decides a second time where much is left, with components that are selected by prediction alone and added to the simple model or to what was found. Not thread-safe. */
@@ -57,12 +56,12 @@ final class Selection {
   /** What is decided with a model that explains a part of these kicks, if it follows a usual kick more closely, or proves more and is no worse; otherwise what was decided first. */
   Decided with(FittedModel model, Decided first) {
     FittedModel deaf = first.screened().fit(model, Weighing.EXPLAINED_ONLY);
-    return decided(deaf, first, Selection::provesMore).orElse(first);
+    return decided(deaf, first, true).orElse(first);
   }
 
   /** What is decided with a selected model, if that follows a usual kick more closely; else what was decided first. */
   Decided beside(Decided first) {
-    return closest(first).flatMap(model -> decided(model, first, (n, f) -> false)).orElse(first);
+    return closest(first).flatMap(model -> decided(model, first, false)).orElse(first);
   }
 
   /** Of the models that are selected beside the simple model and beside what was found, the one that follows a usual kick most closely; empty where nothing helps. */
@@ -88,41 +87,49 @@ final class Selection {
    * What is decided with a selected model, if it follows a usual kick more closely than what was decided first. If the model nearly explains all kicks but a few, these are left out. Otherwise what it leaves of each kick is taken
    * for that kick's noise, and the result is compared with the first simple model.
    *
-   * @param enough what suffices if the new model does not follow a usual kick more closely
+   * @param names whether more names suffice if the new model does not follow a usual kick more closely
    */
-  private Optional<Decided> decided(
-      FittedModel selected, Decided first, BiPredicate<Decided, Decided> enough) {
+  private Optional<Decided> decided(FittedModel selected, Decided first, boolean names) {
     List<KickRecord> kept = KickScreen.withoutFew(selected);
     boolean without = kept.size() < selected.kickCount();
     List<KickRecord> heard = without ? kept : KickScreen.withWhatIsLeftAsNoise(selected);
     DiagnosisCase again = first.screened().refitted(heard);
     FittedModel start = again.fit(selected, Weighing.EXPLAINED_FIRST);
     Decided next = decider.decide(again, search.alike(again.fitter(), start));
-    if (next.isNothing() || !isBetter(next, first, without) && !enough.test(next, first)) {
+    if (next.isNothing()) {
       return Optional.empty();
     }
-    return Optional.of(without ? next : next.beside(first));
+    HoldOut same = heldOnSameKicks(next, first);
+    HoldOut before = without ? same : first.best().held();
+    return isBetter(next, before, same) || names && provesMore(next, first, before)
+        ? Optional.of(without ? next : next.beside(first))
+        : Optional.empty();
   }
 
-  /** Whether what was decided with fewer kicks, or with other noise, is better than what was decided first. The first model is fitted to the same kicks with the same noise, so that their weights alone do not make the difference. */
-  private static boolean isBetter(Decided next, Decided first, boolean without) {
-    long seed = next.screened().seed();
+  /** The first model, fitted to the kicks of the next one with the noise that they have there. */
+  private static HoldOut heldOnSameKicks(Decided next, Decided first) {
     FittedModel same = next.screened().fit(first.model(), Weighing.ALIKE);
-    HoldOut before = HoldOut.of(same, true, seed);
+    return HoldOut.of(same, true, next.screened().seed());
+  }
+
+  /**
+   * Whether what was decided with fewer kicks, or with other noise, is better than what was decided first.
+   *
+   * @param before the first model on the kicks of the next one
+   * @param same the same with their noise: the weights of the kicks alone do not make the difference
+   */
+  private static boolean isBetter(Decided next, HoldOut before, HoldOut same) {
+    long seed = next.screened().seed();
     HoldOut now = next.best().held();
-    if (without) {
-      return isCloser(now, before, seed);
-    }
-    return isCloser(now, first.best().held(), seed)
-        && !now.predictsMostWorseThan(before, seed)
-        && !now.predictsWorseThan(before, seed);
+    return isCloser(now, before, seed)
+        && !now.predictsMostWorseThan(same, seed)
+        && !now.predictsWorseThan(same, seed);
   }
 
   /** Whether more has a name, and no kick is followed or predicted worse beyond chance. */
-  private static boolean provesMore(Decided next, Decided first) {
+  private static boolean provesMore(Decided next, Decided first, HoldOut before) {
     long seed = next.screened().seed();
     HoldOut now = next.best().held();
-    HoldOut before = first.best().held();
     return next.best().names() > first.best().names()
         && !before.followsMostBetterThan(now, seed)
         && !now.predictsMostWorseThan(before, seed)
