@@ -7,6 +7,7 @@ import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.search.Dictionary;
 import fieldcal.diagnosis.search.Price;
+import fieldcal.diagnosis.validation.HoldOut;
 import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
@@ -20,6 +21,9 @@ final class CurveSearch {
   /** Most learned terms that are added to a model; chosen: a third already describes what the first two leave. */
   static final int MOST_LEARNED = 3;
 
+  /** A residual of held-out kicks up to so many times the noise is about as good as the noise allows; chosen: the validation's own spread over 16 kicks is about half of that excess. */
+  private static final double FORETOLD = 1.1;
+
   private final SampledSearch search;
   private final FailedStages failed;
   private final ModelFitter fitter;
@@ -27,6 +31,7 @@ final class CurveSearch {
   private final List<? extends Effect> catalogue;
   private final DecisionSettings settings;
   private final double sessionStart;
+  private final long seed;
 
   /**
    * @param problem the screened kicks and what may explain them
@@ -41,6 +46,7 @@ final class CurveSearch {
     catalogue = problem.catalogue();
     settings = problem.settings();
     sessionStart = problem.problem().sessionStart();
+    seed = problem.seed();
   }
 
   /**
@@ -59,11 +65,32 @@ final class CurveSearch {
     // Once the model has what hid a law before, the law may be right after all.
     catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(all::add);
     FittedModel curved = withMaps(with(all, start), mostBeside(start));
-    if (!isLeft(curved)) {
+    boolean foretells = foretells(curved);
+    if (foretells && !isLeft(curved)) {
       return curved;
     }
     FittedModel mapped = withMaps(start, start.model().components().size());
-    return mapped == start ? curved : cheaper(curved, with(all, mapped));
+    if (mapped == start) {
+      return curved;
+    }
+    FittedModel both = with(all, mapped);
+    return foretells ? cheaper(curved, both) : closer(curved, both);
+  }
+
+  /** Curves that follow the kicks and do not foretell others cost more than their price says. */
+  private FittedModel closer(FittedModel curved, FittedModel mapped) {
+    return held(mapped).rmsMm() < held(curved).rmsMm() ? mapped : curved;
+  }
+
+  private HoldOut held(FittedModel model) {
+    return HoldOut.of(model, false, seed);
+  }
+
+  /** Whether kicks that were held out are predicted about as well as the noise allows. Several curves may follow all kicks and hardly the next one. */
+  private boolean foretells(FittedModel model) {
+    HoldOut held = held(model);
+    return fitter.effort().isSpent()
+        || held.rmsMm() <= FORETOLD * Quality.of(model, held).noiseMm();
   }
 
   /** Curves over the place absorb a part of what a map alone describes, and then a map explains too little of the rest; so the map may also come first. */
