@@ -7,6 +7,7 @@ import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.screening.KickScreen;
 import fieldcal.diagnosis.search.Dictionary;
 import fieldcal.effect.EffectCatalogue;
+import fieldcal.effect.learned.LearnedLibrary;
 import fieldcal.kick.KickKind;
 import java.util.List;
 import java.util.Optional;
@@ -82,7 +83,9 @@ final class NamedSearch {
   }
 
   private FittedModel named(DiagnosisCase at, FittedModel start) {
-    Dictionary dictionary = new Dictionary(at.catalogue(), EffectCatalogue.unnamed(), at.arena());
+    Dictionary dictionary =
+        new Dictionary(
+            at.catalogue(), EffectCatalogue.unnamed(), LearnedLibrary.stopping(), at.arena());
     int most = at.problem().maxCauses() + SPARE;
     return search.search(at.fitter(), start, dictionary, most, true);
   }

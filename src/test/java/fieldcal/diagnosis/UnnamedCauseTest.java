@@ -134,11 +134,51 @@ class UnnamedCauseTest {
     assertThat(diagnosis.learned()).hasSize(1);
     assertThat(diagnosis.learned().get(0).dependsOn()).containsExactly("speed");
     LearnedTerm curve = (LearnedTerm) diagnosis.learned().get(0).effect();
-    double deceleration = FittedField.SOUND.physics().ground().rollingDeceleration();
-    double rise = curve.valueAt(0, 2.4, 0) - curve.valueAt(0, Resonance.SPEED, 0);
-    assertThat(rise).isCloseTo(Resonance.MORE * deceleration, within(0.05 * deceleration));
+    assertThat(curve.family().quantity()).isEqualTo(Quantity.ROLLING);
+    double around = 0;
+    for (double v = -1.5; v <= 1.5; v += 0.1) {
+      double there = 1 + curve.valueAt(0, Resonance.SPEED + v * Resonance.WIDTH, 0);
+      around += 0.1 * (there / (1 + curve.valueAt(0, 0.6, 0)) - 1);
+    }
+    // The normal distribution within one and a half standard deviations.
+    assertThat(around).isCloseTo(Resonance.MORE * 2.172, within(0.15 * Resonance.MORE * 2.172));
     assertThat(diagnosis.extended().holdoutRmsMm())
         .isLessThan(1.05 * diagnosis.extended().noiseMm());
+  }
+
+  /** A ball that brakes more before it stops, as in the contacts of a physics engine. */
+  private record Stopping() implements ExtraLaw {
+    static final double MORE = 0.15;
+    static final double SPEED = 0.4;
+    static final double WIDTH = 0.05;
+
+    @Override
+    public double rollingFactor(BallMoment m) {
+      return 1 + MORE / (1 + Math.exp((m.groundSpeed() - SPEED) / WIDTH));
+    }
+  }
+
+  /** Each kick ends with it, so several causes together would imitate it. */
+  @Test
+  void causesAreNamedBesideABallThatBrakesMoreBeforeItStops() {
+    SimulationSettings known =
+        FittedField.SOUND
+            .withScenario(ScenarioKind.FLAT, 20)
+            .withEffects(
+                "carpet_nap:amplitude=0.17,direction=1", "speed_dependent_roll:slope=0.05");
+    FittedField field =
+        FittedField.of(known.withPhysics(known.physics().withExtra(new Stopping())));
+    Diagnosis diagnosis = new Diagnoser().diagnose(field.problem(), said -> {});
+    assertThat(diagnosis.causes())
+        .as("%s", diagnosis.trace())
+        .extracting(c -> c.effect().id())
+        .containsExactlyInAnyOrder("carpet_nap", "speed_dependent_roll");
+    for (Cause cause : diagnosis.causes()) {
+      double truth = cause.effect().id().equals("carpet_nap") ? 0.17 : 0.05;
+      assertThat(cause.effect().parameters().get(0).value()).isCloseTo(truth, within(0.1 * truth));
+    }
+    assertThat(diagnosis.extended().holdoutRmsMm())
+        .isLessThan(1.1 * diagnosis.extended().noiseMm());
   }
 
   @Test

@@ -20,6 +20,9 @@ public final class Dictionary {
   private final List<Effect> laws = new ArrayList<>();
   private final List<Proposal> together = new ArrayList<>();
   private final List<Component> chance;
+  private final List<Effect> effects;
+  private final List<Effect> byChance;
+  private final List<Effect> forms;
   private final Arena arena;
 
   /**
@@ -29,18 +32,26 @@ public final class Dictionary {
    * @param arena what was recorded
    */
   public Dictionary(List<? extends Effect> effects, Arena arena) {
-    this(effects, List.of(), arena);
+    this(effects, List.of(), List.of(), arena);
   }
 
   /**
-   * A dictionary for a search that also compares its findings with chance.
+   * A dictionary for a search that also compares its findings with chance, and with another form of what every ball does.
    *
    * @param effects absent ones
    * @param byChance absent ones that differ from kick to kick and have no mean of their own
+   * @param forms absent ones that are proposed only where all others explain too little
    * @param arena what was recorded
    */
-  public Dictionary(List<? extends Effect> effects, List<? extends Effect> byChance, Arena arena) {
+  public Dictionary(
+      List<? extends Effect> effects,
+      List<? extends Effect> byChance,
+      List<? extends Effect> forms,
+      Arena arena) {
     this.arena = arena;
+    this.effects = List.copyOf(effects);
+    this.byChance = List.copyOf(byChance);
+    this.forms = List.copyOf(forms);
     chance = byChance.stream().filter(e -> e.canShowIn(arena)).map(Component::perKick).toList();
     for (Effect effect : effects) {
       if (effect instanceof KickerEffect || !effect.canShowIn(arena)) {
@@ -59,6 +70,16 @@ public final class Dictionary {
         together.add(new Proposal(all, false));
       }
     }
+  }
+
+  /** The same that proposes other forms, too; empty where there are none. */
+  Optional<Dictionary> withForms() {
+    if (forms.isEmpty()) {
+      return Optional.empty();
+    }
+    List<Effect> all = new ArrayList<>(effects);
+    all.addAll(forms);
+    return Optional.of(new Dictionary(all, byChance, List.of(), arena));
   }
 
   private void add(Effect effect) {

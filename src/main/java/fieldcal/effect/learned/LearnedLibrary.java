@@ -58,6 +58,11 @@ public final class LearnedLibrary {
   /** Distance of a map's knots, m: what robots wear is some robots wide (0.18 m), and with closer knots hardly two of twenty kicks would cross the same. */
   private static final double MAP_SPACING = 0.75;
 
+  /** Speed below which a ball is about to stop, m/s, and knots up to there, as far apart as those of what brakes the ball: half of what a ball rolls with after a pass. */
+  private static final double SLOW = 2;
+
+  private static final int KNOTS_SLOW = 5;
+
   /** Knots of a map at most: with more the knots of a large field are farther apart. */
   private static final int MOST_MAP_KNOTS = 120;
 
@@ -126,6 +131,17 @@ public final class LearnedLibrary {
       camera(arena, camera, ranges, all);
     }
     return all.stream().map(LearnedFamily::absent).filter(term -> term.canShowIn(arena)).toList();
+  }
+
+  /**
+   * How the rolling deceleration changes while the ball comes to rest, for a search among named causes: the simple model has it constant down to the stop, which neither a carpet's pile (Stribeck) nor the contacts of a physics engine do. What changes it everywhere, as the speed, a worn region or
+   * the pile's direction, changes this, too, and above this range only such causes act, so that the curve takes nothing from them.
+   *
+   * @return absent terms
+   */
+  public static List<LearnedTerm> stopping() {
+    Basis slow = curve(0, SLOW, KNOTS_SLOW);
+    return List.of(LearnedFamily.of(Quantity.ROLLING, Variable.SPEED, slow).absent());
   }
 
   /**

@@ -8,6 +8,7 @@ import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectCatalogue;
+import fieldcal.effect.learned.LearnedLibrary;
 import fieldcal.effect.measurement.CameraPoseError;
 import fieldcal.effect.motion.AirDrag;
 import fieldcal.effect.motion.CarpetSeam;
@@ -87,6 +88,17 @@ class DictionaryTest {
         .filteredOn(c -> c.camera().equals(OptionalInt.of(0)))
         .isNotEmpty()
         .allMatch(c -> c.magnitudeCount() > 1);
+  }
+
+  @Test
+  void otherFormsAreProposedOnlyWhenAskedFor() {
+    Dictionary dictionary =
+        new Dictionary(
+            List.of(new AirDrag(0)), List.of(), LearnedLibrary.stopping(), FLATS.arena());
+    assertThat(ids(dictionary.everywhere(SIMPLE))).containsExactly("air_drag");
+    assertThat(ids(dictionary.withForms().orElseThrow().everywhere(SIMPLE)))
+        .containsExactlyInAnyOrder("air_drag", "learned");
+    assertThat(new Dictionary(List.of(new AirDrag(0)), FLATS.arena()).withForms()).isEmpty();
   }
 
   @Test
