@@ -65,7 +65,11 @@ final class CurveSearch {
     // Once the model has what hid a law before, the law may be right after all.
     catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(all::add);
     FittedModel curved = withMaps(with(all, start), mostBeside(start));
-    boolean foretells = foretells(curved);
+    if (fitter.effort().isSpent()) {
+      return curved;
+    }
+    HoldOut held = held(curved);
+    boolean foretells = held.rmsMm() <= FORETOLD * Quality.of(curved, held).noiseMm();
     if (foretells && !isLeft(curved)) {
       return curved;
     }
@@ -74,23 +78,15 @@ final class CurveSearch {
       return curved;
     }
     FittedModel both = with(all, mapped);
-    return foretells ? cheaper(curved, both) : closer(curved, both);
-  }
-
-  /** Curves that follow the kicks and do not foretell others cost more than their price says. */
-  private FittedModel closer(FittedModel curved, FittedModel mapped) {
-    return held(mapped).rmsMm() < held(curved).rmsMm() ? mapped : curved;
+    if (foretells) {
+      return cheaper(curved, both);
+    }
+    // Curves that follow all kicks and hardly the next one cost more than their price says.
+    return held(both).rmsMm() < held.rmsMm() ? both : curved;
   }
 
   private HoldOut held(FittedModel model) {
     return HoldOut.of(model, false, seed);
-  }
-
-  /** Whether kicks that were held out are predicted about as well as the noise allows. Several curves may follow all kicks and hardly the next one. */
-  private boolean foretells(FittedModel model) {
-    HoldOut held = held(model);
-    return fitter.effort().isSpent()
-        || held.rmsMm() <= FORETOLD * Quality.of(model, held).noiseMm();
   }
 
   /** Curves over the place absorb a part of what a map alone describes, and then a map explains too little of the rest; so the map may also come first. */

@@ -50,16 +50,18 @@ class UnnamedCauseTest {
     }
   }
 
-  /** A sound field of which nobody knows the one law. */
-  private static FittedField field(ScenarioKind kicks, int count, ExtraLaw law) {
+  /** A sound field of which nobody knows the one law, beside effects of the catalogue. */
+  private static FittedField field(ScenarioKind kicks, int count, ExtraLaw law, String... effects) {
     return FittedField.of(
         FittedField.SOUND
             .withScenario(kicks, count)
-            .withPhysics(FittedField.SOUND.physics().withExtra(law)));
+            .withPhysics(FittedField.SOUND.physics().withExtra(law))
+            .withEffects(effects));
   }
 
-  private static Diagnosis diagnosed(ScenarioKind kicks, int count, ExtraLaw law) {
-    return new Diagnoser().diagnose(field(kicks, count, law).problem(), said -> {});
+  private static Diagnosis diagnosed(
+      ScenarioKind kicks, int count, ExtraLaw law, String... effects) {
+    return new Diagnoser().diagnose(field(kicks, count, law, effects).problem(), said -> {});
   }
 
   @Test
@@ -161,14 +163,13 @@ class UnnamedCauseTest {
   /** Each kick ends with it, so several causes together would imitate it. */
   @Test
   void causesAreNamedBesideABallThatBrakesMoreBeforeItStops() {
-    SimulationSettings known =
-        FittedField.SOUND
-            .withScenario(ScenarioKind.FLAT, 20)
-            .withEffects(
-                "carpet_nap:amplitude=0.17,direction=1", "speed_dependent_roll:slope=0.05");
-    FittedField field =
-        FittedField.of(known.withPhysics(known.physics().withExtra(new Stopping())));
-    Diagnosis diagnosis = new Diagnoser().diagnose(field.problem(), said -> {});
+    Diagnosis diagnosis =
+        diagnosed(
+            ScenarioKind.FLAT,
+            20,
+            new Stopping(),
+            "carpet_nap:amplitude=0.17,direction=1",
+            "speed_dependent_roll:slope=0.05");
     assertThat(diagnosis.causes())
         .as("%s", diagnosis.trace())
         .extracting(c -> c.effect().id())
