@@ -86,13 +86,15 @@ public final class Calibrator {
       covered = BounceScatter.covered(fits, views, decisions);
       List<KickFit> good = Selection.trusted(covered, decisions);
       OptionalDouble newRoll = rollOfFlats(problem, views, good);
-      Optional<JointFit> rough = jointly(problem, views, good, newRoll).map(joint::fitRoughly);
-      CameraViews next = rough.isPresent() ? withOffsets(views, rough.get()) : views;
-      boolean settled = moved(views, next) < OFFSET_SETTLED && near(roll, newRoll);
+      Optional<JointFitter.Rough> rough =
+          jointly(problem, views, good, newRoll).map(joint::fitRoughly);
+      CameraViews next = rough.isPresent() ? withOffsets(views, rough.get().offsets()) : views;
+      // The second round searches again for what stands out.
+      boolean settled = round > 0 && moved(views, next) < OFFSET_SETTLED && near(roll, newRoll);
       roll = newRoll;
       if (settled || round == MAX_ROUNDS - 1) {
         // The cameras of the result are those that its fits were made with.
-        together = jointly(problem, views, good, newRoll).map(joint::fit);
+        together = rough.map(JointFitter.Rough::refined);
         break;
       }
       views = next;
@@ -242,16 +244,18 @@ public final class Calibrator {
         });
   }
 
+  /** How the flat kicks roll; empty where no chip asks for it. */
   private OptionalDouble rollOfFlats(
       CalibrationProblem problem, CameraViews views, List<KickFit> good) {
     List<KickFit> flats = good.stream().filter(f -> f.kind() == KickKind.FLAT).toList();
-    Optional<Estimate> roll =
-        jointly(problem, views, flats, OptionalDouble.empty())
-            .map(joint::fit)
-            .flatMap(j -> j.flat("accRoll"));
-    return roll.filter(Estimate::usable)
-        .map(e -> OptionalDouble.of(e.value()))
-        .orElse(OptionalDouble.empty());
+    if (flats.size() == good.size()) {
+      return OptionalDouble.empty();
+    }
+    return jointly(problem, views, flats, OptionalDouble.empty()).map(joint::flatModel).stream()
+        .flatMap(List::stream)
+        .filter(e -> e.name().equals("accRoll") && e.usable())
+        .mapToDouble(Estimate::value)
+        .findFirst();
   }
 
   private static Optional<JointProblem> jointly(
@@ -262,10 +266,10 @@ public final class Calibrator {
             new JointProblem(fits, views, problem.flat(), problem.chip(), chipRoll, true));
   }
 
-  private static CameraViews withOffsets(CameraViews views, JointFit joint) {
+  private static CameraViews withOffsets(CameraViews views, Map<Integer, JointFit.Offset> offsets) {
     return views.map(
         v -> {
-          JointFit.Offset o = joint.offsets().get(v.id());
+          JointFit.Offset o = offsets.get(v.id());
           return o == null ? v : v.withOffset(o.x(), o.y());
         });
   }

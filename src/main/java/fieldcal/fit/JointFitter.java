@@ -32,8 +32,13 @@ public final class JointFitter {
   /** Largest number of rounds within which outliers settle. */
   private static final int OUTLIER_ROUNDS = 3;
 
+  private static final SharedSolver SOLVER = SharedSolver.withDefaults().settlingVariants();
+
   /** Tolerance of a rough fit: a step that gains less than a unit of chi-square moves no offset by its error. */
   private static final double ROUGH = 1;
+
+  /** Most steps of a rough fit. Chosen: where the model is right half of them suffice; where it is off by many times the noise, the valleys bend and another hundred steps move the offsets by a tenth of their error. */
+  private static final int ROUGH_STEPS = 12;
 
   /** Standard deviation of the weak prior of the model's parameters, in scales; it keeps a parameter that no kick determines where it is. */
   private static final double EXPECTED = 1000;
@@ -80,23 +85,73 @@ public final class JointFitter {
    * @throws IllegalArgumentException when there is no fitted kick
    */
   public JointFit fit(JointProblem problem) {
-    SharedSolver solver = SharedSolver.withDefaults().settlingVariants();
-    return new Run(problem, solver, OUTLIER_ROUNDS, true).fit();
+    return fitRoughly(problem).refined();
+  }
+
+  /**
+   * Fits as {@link #fit} does, for the flat model alone: nothing is compared with one model for all kicks.
+   *
+   * @param problem at least one fitted kick
+   * @return the flat model's parameters; empty without flat kicks
+   * @throws IllegalArgumentException when there is no fitted kick
+   */
+  public List<Estimate> flatModel(JointProblem problem) {
+    Rough rough = fitRoughly(problem);
+    SharedSolution<double[]> solution = rough.run.settled(rough.stage).solution();
+    return rough.run.flat(solution, solution.covariance());
   }
 
   /**
    * Fits roughly, for offsets with which all kicks are then fitted again: outliers are those of the kicks' own fits.
    *
    * @param problem at least one fitted kick
-   * @return the joint model
+   * @return the offsets, and the way on from there
    * @throws IllegalArgumentException when there is no fitted kick
    */
-  public JointFit fitRoughly(JointProblem problem) {
-    SharedSolver solver = SharedSolver.withDefaults().settlingVariants().withTolerance(ROUGH);
-    return new Run(problem, solver, 0, true).fit();
+  public Rough fitRoughly(JointProblem problem) {
+    SharedSolver roughly = SOLVER.withTolerance(ROUGH).withMaxIterations(ROUGH_STEPS);
+    Run run = new Run(problem, true);
+    return new Rough(run, run.begun(roughly));
   }
 
-  /** One joint fit; used once. */
+  /** A rough joint fit. Immutable and thread-safe. */
+  public static final class Rough {
+    private final Run run;
+    private final Stage stage;
+
+    private Rough(Run run, Stage stage) {
+      this.run = run;
+      this.stage = stage;
+    }
+
+    /**
+     * What the cameras add to every position.
+     *
+     * @return by number of the camera
+     */
+    public Map<Integer, JointFit.Offset> offsets() {
+      return run.offsets(stage.solution.state(), stage.solution.covariance());
+    }
+
+    /**
+     * Goes on until nothing changes any more.
+     *
+     * @return the joint model of the same kicks, as of {@link JointFitter#fit}
+     */
+    public JointFit refined() {
+      return run.result(run.settled(stage));
+    }
+  }
+
+  /**
+   * Where a fit stands.
+   *
+   * @param weights of the kicks
+   * @param steps taken so far
+   */
+  private record Stage(SharedSolution<double[]> solution, double[] weights, int steps) {}
+
+  /** One joint fit. Immutable and thread-safe. */
   private final class Run {
     private final JointProblem problem;
     private final int[] cameraIds;
@@ -104,17 +159,12 @@ public final class JointFitter {
     private final List<Parameter> globals;
     private final int[] scattering;
     private final List<RandomEffect> randoms = new ArrayList<>();
-    private final SharedSolver solver;
-    private final int outlierRounds;
-    private int iterations;
 
-    Run(JointProblem problem, SharedSolver solver, int outlierRounds, boolean scatters) {
+    Run(JointProblem problem, boolean scatters) {
       if (problem.fits().isEmpty()) {
         throw new IllegalArgumentException("a joint fit needs at least one kick");
       }
       this.problem = problem;
-      this.solver = solver;
-      this.outlierRounds = outlierRounds;
       cameraIds =
           problem.fits().stream()
               .flatMapToInt(f -> Arrays.stream(f.kick().observations().cameras()))
@@ -284,6 +334,7 @@ public final class JointFitter {
     }
 
     private SharedSolution<double[]> solve(
+        SharedSolver solver,
         List<FlightTerm> kicks,
         List<double[]> starts,
         double[] values,
@@ -294,47 +345,55 @@ public final class JointFitter {
               .mapToObj(k -> globals.get(k).withValue(values[k]))
               .toList();
       SharedModel<double[]> model = this::state;
-      SharedSolution<double[]> solution =
-          solver.solve(new SharedProblem<>(model, kicks, starts, at, priors(), randoms, weights));
-      iterations += solution.iterations();
-      return solution;
+      return solver.solve(
+          new SharedProblem<>(model, kicks, starts, at, priors(), randoms, weights));
     }
 
-    JointFit fit() {
+    /** From the kicks' own fits, with the outliers of these. */
+    Stage begun(SharedSolver solver) {
       List<FlightTerm> kicks = problem.fits().stream().map(this::term).toList();
       double[] weights = problem.fits().stream().mapToDouble(Run::weight).toArray();
       SharedSolution<double[]> solution =
           solve(
+              solver,
               kicks,
               kicks.stream().map(FlightTerm::start).toList(),
               globals.stream().mapToDouble(Parameter::value).toArray(),
               randoms,
               weights);
-      for (int round = 0; round < outlierRounds; round++) {
-        List<FlightTerm> before = kicks(solution);
-        List<FlightTerm> screened = screened(solution);
-        double[] newWeights = weights(solution);
-        if (screened.equals(before) && near(weights, newWeights)) {
+      return new Stage(solution, weights, solution.iterations());
+    }
+
+    /** Solved with outliers and weights that follow from the solution before, until they stay as they are. */
+    Stage settled(Stage begun) {
+      Stage at = begun;
+      for (int round = 0; round < OUTLIER_ROUNDS; round++) {
+        SharedSolution<double[]> before = at.solution;
+        List<FlightTerm> screened = screened(before);
+        double[] weights = weights(before);
+        if (round > 0 && screened.equals(kicks(before)) && near(at.weights, weights)) {
           break;
         }
-        weights = newWeights;
-        double[] scatters = solution.scatters();
-        List<RandomEffect> settled =
+        double[] scatters = before.scatters();
+        List<RandomEffect> known =
             IntStream.range(0, scatters.length)
                 .mapToObj(r -> randoms.get(r).withScatter(scatters[r]))
                 .toList();
-        solution = solve(screened, solution.own(), solution.values(), settled, weights);
+        SharedSolution<double[]> next =
+            solve(SOLVER, screened, before.own(), before.values(), known, weights);
+        at = new Stage(next, weights, at.steps + next.iterations());
       }
-      return result(solution);
+      return at;
     }
 
     /** The same with one model for all kicks. What the kicks' own fits keep is no outlier here: it would hide what the model misses. */
-    private JointFit.OneModel oneModel(SharedSolution<double[]> solution, double rmsMm) {
+    private JointFit.OneModel oneModel(SharedSolution<double[]> solution) {
       boolean even = problem.fits().stream().allMatch(f -> f.bounces().size() == 0);
-      if (scattering.length == 0 && even) {
-        return new JointFit.OneModel(rmsMm, solution.reducedChiSquare());
+      if (scattering.length > 0 || !even) {
+        Run alike = new Run(problem.withEvenBounces(), false);
+        return alike.oneModel(alike.begun(SOLVER).solution);
       }
-      return new Run(problem.withEvenBounces(), solver, 0, false).fit().oneModel();
+      return new JointFit.OneModel(Residuals.of(solution).rmsMm(), solution.reducedChiSquare());
     }
 
     private List<FlightTerm> screened(SharedSolution<double[]> solution) {
@@ -383,36 +442,31 @@ public final class JointFitter {
       return kicks;
     }
 
-    private JointFit result(SharedSolution<double[]> solution) {
-      List<FlightTerm> kicks = kicks(solution);
-      double[] state = solution.state();
-      double[] squares = new double[2];
-      int[] rows = new int[2];
-      int observations = 0;
-      for (int k = 0; k < kicks.size(); k++) {
-        FlightTerm kick = kicks.get(k);
-        int kind = kick.kind() == KickKind.FLAT ? 0 : 1;
-        squares[kind] += kick.squaredResiduals(solution.own(k), state);
-        rows[kind] += kick.rows();
-        observations += kick.observations();
-      }
-      int used = (rows[0] + rows[1]) / 2;
+    private JointFit result(Stage stage) {
+      SharedSolution<double[]> solution = stage.solution;
+      Residuals residuals = Residuals.of(solution);
+      int observations = kicks(solution).stream().mapToInt(FlightTerm::observations).sum();
       Optional<double[][]> covariance = solution.covariance();
       return new JointFit(
-          has(KickKind.FLAT) ? estimates(solution, covariance, 0, FlightTerm.CHIP) : List.of(),
+          flat(solution, covariance),
           has(KickKind.CHIP)
               ? estimates(solution, covariance, FlightTerm.CHIP, FlightTerm.OFFSETS)
               : List.of(),
-          offsets(state, covariance),
-          rms(squares[0] + squares[1], rows[0] + rows[1]),
-          rms(squares[0], rows[0]),
-          rms(squares[1], rows[1]),
-          used,
-          observations - used,
+          offsets(solution.state(), covariance),
+          residuals.rmsMm(),
+          residuals.rmsMm(KickKind.FLAT),
+          residuals.rmsMm(KickKind.CHIP),
+          residuals.used(),
+          observations - residuals.used(),
           solution.reducedChiSquare(),
-          oneModel(solution, rms(squares[0] + squares[1], rows[0] + rows[1])),
-          iterations,
+          oneModel(solution),
+          stage.steps,
           solution.stopReason() == StopReason.CONVERGED);
+    }
+
+    private List<Estimate> flat(
+        SharedSolution<double[]> solution, Optional<double[][]> covariance) {
+      return has(KickKind.FLAT) ? estimates(solution, covariance, 0, FlightTerm.CHIP) : List.of();
     }
 
     private List<Estimate> estimates(
@@ -458,8 +512,40 @@ public final class JointFitter {
           ? contrasts.error(covariance.get(), FlightTerm.OFFSETS, camera, axis)
           : Double.NaN;
     }
+  }
 
-    private double rms(double squares, int rows) {
+  /**
+   * What a solution leaves.
+   *
+   * @param squares sums of squared residuals by kind, m²
+   * @param rows their numbers, two of each observation in use
+   */
+  private record Residuals(double[] squares, int[] rows) {
+    static Residuals of(SharedSolution<double[]> solution) {
+      double[] squares = new double[KickKind.values().length];
+      int[] rows = new int[squares.length];
+      List<FlightTerm> kicks = Run.kicks(solution);
+      for (int k = 0; k < kicks.size(); k++) {
+        FlightTerm kick = kicks.get(k);
+        squares[kick.kind().ordinal()] += kick.squaredResiduals(solution.own(k), solution.state());
+        rows[kick.kind().ordinal()] += kick.rows();
+      }
+      return new Residuals(squares, rows);
+    }
+
+    double rmsMm() {
+      return rms(Arrays.stream(squares).sum(), Arrays.stream(rows).sum());
+    }
+
+    double rmsMm(KickKind kind) {
+      return rms(squares[kind.ordinal()], rows[kind.ordinal()]);
+    }
+
+    int used() {
+      return Arrays.stream(rows).sum() / 2;
+    }
+
+    private static double rms(double squares, int rows) {
       return rows > 0 ? 1000 * Math.sqrt(squares / rows) : Double.NaN;
     }
   }

@@ -110,7 +110,7 @@ class JointFitterTest {
     }
     JointFit fit = solve(fits, views);
     assertThat(fit.converged()).isTrue();
-    JointFit rough = joint.fitRoughly(problem(fits, views));
+    JointFitter.Rough rough = joint.fitRoughly(problem(fits, views));
     fit.offsets()
         .forEach(
             (id, o) -> {
