@@ -3,6 +3,7 @@ package fieldcal.diagnosis;
 import fieldcal.diagnosis.decision.Decision;
 import fieldcal.diagnosis.decision.DecisionSettings;
 import fieldcal.diagnosis.decision.Judgement;
+import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.search.Dictionary;
@@ -58,13 +59,24 @@ final class CurveSearch {
    * @return the same when nothing helps
    */
   FittedModel beside(FittedModel start, List<Judgement> judged, boolean chance) {
-    List<Effect> all = learned(arena, judged);
+    List<Effect> sure = learned(arena, judged);
+    // Once the model has what hid a law before, the law may be right after all.
+    catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(sure::add);
+    List<Effect> all = new ArrayList<>(sure);
     if (chance) {
       all.addAll(EffectCatalogue.unnamed());
     }
-    // Once the model has what hid a law before, the law may be right after all.
-    catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(all::add);
-    FittedModel curved = withMaps(with(all, start), mostBeside(start));
+    FittedModel first = with(all, start);
+    if (chanceIsIdle(first, start)) {
+      // Values of the kicks also absorb what depends on where each kick went, and then leave too
+      // little of it to a curve or a map, which would predict the next kick.
+      FittedModel without = with(sure, start);
+      if (predicted(without).errorFactor(predicted(first)) < 1) {
+        first = without;
+        all = sure;
+      }
+    }
+    FittedModel curved = withMaps(first, mostBeside(start));
     if (fitter.effort().isSpent()) {
       return curved;
     }
@@ -83,6 +95,17 @@ final class CurveSearch {
     }
     // Curves that follow all kicks and hardly the next one cost more than their price says.
     return held(both).rmsMm() < held.rmsMm() ? both : curved;
+  }
+
+  /** Whether values that differ by chance from kick to kick were added to a model and do not help to predict. */
+  private boolean chanceIsIdle(FittedModel found, FittedModel start) {
+    return found.model().components().stream().anyMatch(Component::isChance)
+        && !fitter.effort().isSpent()
+        && !predicted(start).predictsMostWorseThan(predicted(found), seed);
+  }
+
+  private HoldOut predicted(FittedModel model) {
+    return HoldOut.of(model, true, seed);
   }
 
   private HoldOut held(FittedModel model) {
