@@ -66,16 +66,9 @@ final class CurveSearch {
     if (chance) {
       all.addAll(EffectCatalogue.unnamed());
     }
-    FittedModel first = with(all, start);
-    if (chanceIsIdle(first, start)) {
-      // Values of the kicks also absorb what depends on where each kick went, and then leave too
-      // little of it to a curve or a map, which would predict the next kick.
-      FittedModel without = with(sure, start);
-      if (predicted(without).errorFactor(predicted(first)) < 1) {
-        first = without;
-        all = sure;
-      }
-    }
+    FittedModel any = with(all, start);
+    FittedModel first = withoutIdleChance(any, start, sure);
+    all = first == any ? all : sure;
     FittedModel curved = withMaps(first, mostBeside(start));
     if (fitter.effort().isSpent()) {
       return curved;
@@ -97,11 +90,23 @@ final class CurveSearch {
     return held(both).rmsMm() < held.rmsMm() ? both : curved;
   }
 
-  /** Whether values that differ by chance from kick to kick were added to a model and do not help to predict. */
-  private boolean chanceIsIdle(FittedModel found, FittedModel start) {
-    return found.model().components().stream().anyMatch(Component::isChance)
-        && !fitter.effort().isSpent()
-        && !predicted(start).predictsMostWorseThan(predicted(found), seed);
+  /**
+   * The model with terms alone, where what was found has values that differ from kick to kick by chance and do not help to predict, and it predicts better. Such values also absorb what depends on where each kick went, and then leave too little of it to a curve or a map, which would predict the next kick.
+   */
+  private FittedModel withoutIdleChance(FittedModel found, FittedModel start, List<Effect> sure) {
+    if (!hasChance(found) || fitter.effort().isSpent()) {
+      return found;
+    }
+    HoldOut byChance = predicted(found);
+    if (predicted(start).predictsMostWorseThan(byChance, seed)) {
+      return found;
+    }
+    FittedModel without = with(sure, start);
+    return predicted(without).errorFactor(byChance) < 1 ? without : found;
+  }
+
+  private static boolean hasChance(FittedModel model) {
+    return model.model().components().stream().anyMatch(Component::isChance);
   }
 
   private HoldOut predicted(FittedModel model) {

@@ -37,7 +37,7 @@ public final class JointFitter {
   /** Tolerance of a rough fit: a step that gains less than a unit of chi-square moves no offset by its error. */
   private static final double ROUGH = 1;
 
-  /** Most steps of a rough fit. Chosen: where the model is right half of them suffice; where it is off by many times the noise, the valleys bend and another hundred steps move the offsets by a tenth of their error. */
+  /** Most steps of a rough fit. Chosen: of three mixtures in which one model is off by many times the noise, offsets after 12 and after 40 steps differ by less than a tenth of their error. */
   private static final int ROUGH_STEPS = 12;
 
   /** Standard deviation of the weak prior of the model's parameters, in scales; it keeps a parameter that no kick determines where it is. */
