@@ -142,14 +142,14 @@ final class FlightFitter {
     return best;
   }
 
-  /** Fits without a search, from the values of an earlier fit; parameters that are held get the problem's values. */
-  KickFit refit(double[] values) {
-    double[] start = values.clone();
+  /** Fits without a search, from where an earlier fit ended; parameters that are held get the problem's values. */
+  KickFit refit(KickFit before) {
+    double[] start = before.values();
     for (int k = 0; k < size; k++) {
       Parameter p = parameters.get(k);
       start[k] = p.estimated() ? p.clamp(start[k]) : p.value();
     }
-    return finish(finder.find(start));
+    return finish(finder.follow(start, before.statistics().flights()));
   }
 
   private KickFit finish(Minimum best) {

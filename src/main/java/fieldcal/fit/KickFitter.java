@@ -235,7 +235,7 @@ public final class KickFitter {
     List<Parameter> model = kind == KickKind.FLAT ? problem.flat() : problem.chip();
     List<Parameter> parameters = FlightLayout.parameters(kind, before.values(), model);
     return new FlightFitter(problem, kind, data, parameters, settings, before.statistics().seed())
-        .refit(before.values());
+        .refit(before);
   }
 
   /** The kick as it was found, with the resting position taken from the detections before it, each camera's offset taken out. */

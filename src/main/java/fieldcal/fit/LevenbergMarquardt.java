@@ -18,7 +18,7 @@ final class LevenbergMarquardt {
   private static final double TOLERANCE = 1e-7;
 
   /** The same on the way to another cost function. */
-  private static final double ROUGH_TOLERANCE = 1e-4;
+  private static final double ROUGH_TOLERANCE = 1e-5;
 
   /** Why an optimisation stopped. */
   enum Stop {
@@ -99,6 +99,10 @@ final class LevenbergMarquardt {
       }
       equations.solve(l, scale, free, step);
       double predicted = advance(theta, lambda);
+      if (predicted < tolerance * cost) {
+        stop = Stop.CONVERGED;
+        break;
+      }
       double next = problem.cost(candidate);
       double gain = cost - next;
       if (gain > 0) {
@@ -113,7 +117,7 @@ final class LevenbergMarquardt {
           break;
         }
       } else {
-        if (Math.abs(gain) <= 1e-12 * cost || predicted < tolerance * cost) {
+        if (Math.abs(gain) <= 1e-12 * cost) {
           stop = Stop.CONVERGED;
           break;
         }

@@ -97,21 +97,23 @@ final class MinimumFinder {
    */
   record Descent(Minimum near, Minimum minimum) {}
 
-  /** The lowest minimum, on all observations. */
-  Minimum find(double[] start) {
-    return kind == KickKind.FLAT ? descend(start).minimum() : chip(List.of(start));
+  /** The minimum that an earlier fit of the same kick leads to, whose path had so many flights. */
+  Minimum follow(double[] earlier, int flights) {
+    return kind == KickKind.FLAT
+        ? descend(earlier).minimum()
+        : climb(settle(part, approached(flights, earlier)));
   }
 
   /** The minimum that a start of a flat kick leads to. */
   Descent descend(double[] start) {
     Minimum near = approached(0, start);
-    return new Descent(near, settle(data, near, false));
+    return new Descent(near, settle(data, near));
   }
 
   /** The lower one of the minima of a flat kick that a start leads to, and that another one led to. */
   Minimum flat(double[] start, Descent other) {
     Minimum near = approached(0, start);
-    Minimum minimum = settle(data, near, false);
+    Minimum minimum = settle(data, near);
     return isSame(other.near, near) || minimum.cost() <= other.minimum.cost()
         ? minimum
         : other.minimum;
@@ -151,13 +153,13 @@ final class MinimumFinder {
     return new Minimum(flights, flight, theta, cost, solver.equations());
   }
 
-  /** Goes on with the narrow loss. */
-  private Minimum settle(FlightData on, Minimum from, boolean roughly) {
+  /** Goes on with the narrow loss; roughly, since what is not an outlier is fitted once more without any. */
+  private Minimum settle(FlightData on, Minimum from) {
     FlightProblem flight = objective(on, from.flights());
     flight.lossScale(narrowLoss);
     double[] theta = from.theta().clone();
-    LevenbergMarquardt solver = new LevenbergMarquardt(parameters);
-    double cost = (roughly ? solver.roughly() : solver).minimize(flight, theta);
+    LevenbergMarquardt solver = new LevenbergMarquardt(parameters).roughly();
+    double cost = solver.minimize(flight, theta);
     return new Minimum(from.flights(), flight, theta, cost, solver.equations());
   }
 
@@ -173,7 +175,7 @@ final class MinimumFinder {
       if (best != null && plausible(best) && from.priced() > CLEARLY_WORSE * best.priced()) {
         break;
       }
-      Minimum next = settle(part, from, true);
+      Minimum next = settle(part, from);
       if (best == null || isBetter(next, best)) {
         best = next;
       }
@@ -195,7 +197,7 @@ final class MinimumFinder {
   /** On all observations, and to the neighbouring numbers of flights while that explains the kick better. */
   private Minimum climb(Minimum from) {
     Minimum inPart = from;
-    Minimum best = settle(data, from, false);
+    Minimum best = settle(data, from);
     boolean improved = true;
     while (improved) {
       improved = false;
@@ -203,11 +205,11 @@ final class MinimumFinder {
         if (flights < 1 || flights > ChipModel.MAX_FLIGHTS) {
           continue;
         }
-        Minimum nextInPart = settle(part, approached(flights, best.theta()), true);
+        Minimum nextInPart = settle(part, approached(flights, best.theta()));
         if (plausible(best) && nextInPart.priced() > WORSE_IN_PART * inPart.priced()) {
           continue;
         }
-        Minimum next = settle(data, nextInPart, false);
+        Minimum next = settle(data, nextInPart);
         boolean allowed = plausible(next) || !plausible(best);
         if (allowed && next.priced() < best.priced() * (1 - 1e-9)) {
           best = next;

@@ -85,41 +85,37 @@ final class KickBlock {
 
   /** Adds the products of the columns of rows. */
   void addProducts(double[][] ownColumns, double[][] sharedColumns, int rows, double weight) {
-    for (int i = 0; i < own; i++) {
-      double[] ci = ownColumns[i];
-      for (int j = 0; j <= i; j++) {
-        a[i][j] += weight * dot(ci, ownColumns[j]);
-        a[j][i] = a[i][j];
-      }
-    }
     // Some rows of all columns at once: the search asks for hundreds of columns, of which dot
     // products would each read all rows. Most of them do not concern this kick: other cameras,
     // places, robots.
     int[] used = nonZero(sharedColumns);
-    int n = used.length;
-    double[][] columns = new double[n][];
-    for (int k = 0; k < n; k++) {
-      columns[k] = sharedColumns[used[k]];
+    double[][] columns = Arrays.copyOf(ownColumns, own + used.length);
+    for (int k = 0; k < used.length; k++) {
+      columns[own + k] = sharedColumns[used[k]];
     }
-    double[][] products = new double[own + n][n];
-    double[][] some = new double[GATHERED][n];
+    double[][] products = new double[columns.length][columns.length];
+    double[][] some = new double[GATHERED][columns.length];
     for (int from = 0; from < rows; from += GATHERED) {
       gather(columns, from, some);
       for (int r = 0; r < GATHERED; r += TOGETHER) {
-        for (int i = 0; i < own; i++) {
-          addProducts(ownColumns[i], from + r, weight, some, r, products[i], n);
-        }
-        for (int k = 0; k < n; k++) {
-          addProducts(columns[k], from + r, weight, some, r, products[own + k], k + 1);
+        for (int k = 0; k < columns.length; k++) {
+          addProducts(columns[k], from + r, weight, some, r, products[k], k + 1);
         }
       }
     }
-    for (int k = 0; k < n; k++) {
+    for (int i = 0; i < own; i++) {
+      for (int j = 0; j <= i; j++) {
+        a[i][j] += products[i][j];
+        a[j][i] = a[i][j];
+      }
+    }
+    for (int k = 0; k < used.length; k++) {
+      double[] product = products[own + k];
       for (int i = 0; i < own; i++) {
-        b[i][used[k]] += products[i][k];
+        b[i][used[k]] += product[i];
       }
       for (int m = 0; m <= k; m++) {
-        c[used[k]][used[m]] += products[own + k][m];
+        c[used[k]][used[m]] += product[own + m];
         c[used[m]][used[k]] = c[used[k]][used[m]];
       }
     }
