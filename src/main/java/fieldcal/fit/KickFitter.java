@@ -13,7 +13,7 @@ import java.util.Objects;
  * Fits the two-phase flat or the bouncing chip trajectory to the detections of one kick.
  *
  * <p>CMA-ES finds the neighbourhood of the global minimum on a subset of the observations under a robust loss, and Levenberg–Marquardt the minimum on all of them;
- * then outliers are left out, and plain least squares, which is efficient, gives the result. A flat kick that shows sliding and rolling needs no such search: it has one minimum. The number of flights of a chip is
+ * then outliers are left out, and plain least squares, which is efficient, gives the result. A kick that a descent explains, and that determines all parameters, needs no such search. The number of flights of a chip is
  * discrete: each plausible one is fitted, and the residuals decide. Immutable and thread-safe.
  */
 public final class KickFitter {

@@ -7,6 +7,7 @@ import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * Leads the starts of one kick to its lowest minimum. Each start is first led down with a wide loss on part of the observations; only what ends in different minima
@@ -90,46 +91,53 @@ final class MinimumFinder {
   }
 
   /**
-   * A way down from a start of a flat kick.
+   * Ways down from some starts.
    *
-   * @param near where it leads on part of the observations, with the wide loss
-   * @param minimum where that leads on all
+   * @param near where they lead on part of the observations, with the wide loss, each once
+   * @param minimum the lowest that these lead to on all
    */
-  record Descent(Minimum near, Minimum minimum) {}
+  record Descent(List<Minimum> near, Minimum minimum) {}
 
-  /** The minimum that an earlier fit of the same kick leads to, whose path had so many flights. */
-  Minimum follow(double[] earlier, int flights) {
-    return kind == KickKind.FLAT
-        ? descend(earlier).minimum()
-        : climb(settle(part, approached(flights, earlier)));
+  /** Leads starts down. */
+  Descent descend(List<double[]> starts) {
+    return further(new Descent(List.of(), null), starts);
   }
 
-  /** The minimum that a start of a flat kick leads to. */
-  Descent descend(double[] start) {
-    Minimum near = approached(0, start);
-    return new Descent(near, settle(data, near));
-  }
-
-  /** The lower one of the minima of a flat kick that a start leads to, and that another one led to. */
-  Minimum flat(double[] start, Descent other) {
-    Minimum near = approached(0, start);
-    Minimum minimum = settle(data, near);
-    return isSame(other.near, near) || minimum.cost() <= other.minimum.cost()
-        ? minimum
-        : other.minimum;
-  }
-
-  /** The lowest minimum of a chip, from several starts. */
-  Minimum chip(List<double[]> starts) {
-    List<Minimum> near = new ArrayList<>();
+  /** Leads further starts down; those that go where others went change nothing. */
+  Descent further(Descent before, List<double[]> starts) {
+    List<Minimum> near = new ArrayList<>(before.near);
     for (double[] start : starts) {
-      int rule = ruleFlights(start);
-      int most = Math.min(ChipModel.MAX_FLIGHTS, rule + FLIGHTS_OFF);
-      for (int flights = Math.max(1, rule - FLIGHTS_OFF); flights <= most; flights++) {
+      for (int flights : flightsToTry(start)) {
         approach(flights, start, near);
       }
     }
-    return climb(bestInPart(near));
+    if (near.size() == before.near.size()) {
+      return before;
+    }
+    return new Descent(near, kind == KickKind.FLAT ? lowest(near) : climb(bestInPart(near)));
+  }
+
+  private int[] flightsToTry(double[] start) {
+    if (kind == KickKind.FLAT) {
+      return new int[] {0};
+    }
+    int rule = ruleFlights(start);
+    return IntStream.rangeClosed(
+            Math.max(1, rule - FLIGHTS_OFF), Math.min(ChipModel.MAX_FLIGHTS, rule + FLIGHTS_OFF))
+        .toArray();
+  }
+
+  private Minimum lowest(List<Minimum> near) {
+    return near.stream()
+        .map(from -> settle(data, from))
+        .min(Comparator.comparingDouble(Minimum::cost))
+        .orElseThrow();
+  }
+
+  /** The minimum that an earlier fit of the same kick leads to, whose path had so many flights. */
+  Minimum follow(double[] earlier, int flights) {
+    Minimum near = approached(flights, earlier);
+    return kind == KickKind.FLAT ? settle(data, near) : climb(settle(part, near));
   }
 
   /** Leads a start down on part of the observations with the wide loss; adds it to the others unless it went where one of them is. */
