@@ -1,6 +1,7 @@
 package fieldcal.testing;
 
 import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -49,7 +50,7 @@ final class Expectations {
     Map<String, Value> values = new TreeMap<>();
     if (Files.exists(file)) {
       int number = 0;
-      for (String line : Files.readAllLines(file, StandardCharsets.UTF_8)) {
+      for (String line : lines(file)) {
         number++;
         if (!line.isBlank() && !line.startsWith("#")) {
           int equals = line.indexOf('=');
@@ -63,6 +64,14 @@ final class Expectations {
       }
     }
     return new Expectations(file, values);
+  }
+
+  private static List<String> lines(Path file) throws IOException {
+    try {
+      return Files.readAllLines(file, StandardCharsets.UTF_8);
+    } catch (CharacterCodingException e) {
+      throw new IOException(file + ": is not a text in UTF-8", e);
+    }
   }
 
   private static Value value(String text, String place) throws IOException {

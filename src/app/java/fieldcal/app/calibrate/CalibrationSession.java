@@ -148,8 +148,8 @@ public final class CalibrationSession {
 
   /** Without what a diagnosis of the same kicks changes: some warnings are about that. */
   private static JsonNode numbers(JsonNode calibration) {
-    ObjectNode copy = calibration.deepCopy();
-    return copy.remove(List.of("verdict", "warnings"));
+    JsonNode copy = calibration.deepCopy();
+    return copy instanceof ObjectNode object ? object.remove(List.of("verdict", "warnings")) : copy;
   }
 
   /**

@@ -29,6 +29,15 @@ final class Requests {
     if (bytes.length > LARGEST_BODY) {
       throw new ApiException(413, "the request is larger than " + LARGEST_BODY + " bytes");
     }
+    return body(bytes);
+  }
+
+  /**
+   * A body that was read.
+   *
+   * @throws ApiException when it is no JSON object
+   */
+  static JsonNode body(byte[] bytes) throws IOException {
     JsonNode body;
     try {
       body = MAPPER.readTree(bytes);

@@ -151,8 +151,7 @@ public record ExportModel(
    * @throws IOException when it cannot be read
    */
   public static ExportModel read(Path file) throws IOException {
-    byte[] bytes = JsonFiles.bytes(file);
-    if (!new String(bytes, StandardCharsets.UTF_8).stripLeading().startsWith("{")) {
+    if (!isJson(file)) {
       return published(file, InitialModels.read(file));
     }
     JsonNode root = JsonFiles.read(file);
@@ -178,6 +177,10 @@ public record ExportModel(
                   + "'; give calibration.json, extended_model.json, limits.json, twin.json"
                   + " or geometry_models.pb");
     };
+  }
+
+  private static boolean isJson(Path file) throws IOException {
+    return new String(JsonFiles.bytes(file), StandardCharsets.UTF_8).stripLeading().startsWith("{");
   }
 
   /**
@@ -209,7 +212,8 @@ public record ExportModel(
   /** The numbers for SSL-Vision. What is known of them stands in the calibration beside them, if it is theirs. */
   private static ExportModel published(Path file, BallModels models) throws IOException {
     Path beside = file.resolveSibling("calibration.json");
-    if (Files.isRegularFile(beside)) {
+    // Published numbers under that name, even this very file, know nothing more.
+    if (Files.isRegularFile(beside) && isJson(beside)) {
       ExportModel calibrated = read(beside);
       if (calibrated.models().equals(models)) {
         return calibrated;

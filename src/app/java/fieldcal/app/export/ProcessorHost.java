@@ -14,11 +14,14 @@ import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpRequest.BodyPublishers;
 import java.net.http.HttpResponse;
-import java.net.http.HttpResponse.BodyHandlers;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 
 /**
  * The host of the league's new vision, RoboCup-SSL/ssl-vision-processor: reads its configuration and writes the ball models into it.
@@ -39,6 +42,7 @@ public final class ProcessorHost {
   private static final int ATTEMPTS = 5;
 
   private final String url;
+  private final Duration patience;
   private final HttpClient client;
 
   /** Is called with what would change, before it is written. */
@@ -63,11 +67,16 @@ public final class ProcessorHost {
    * @throws InputException when it is no such address
    */
   public ProcessorHost(String url) throws InputException {
+    this(url, PATIENCE);
+  }
+
+  ProcessorHost(String url, Duration patience) throws InputException {
+    this.patience = patience;
     this.url = url.replaceFirst("/+$", "");
     if (!this.url.matches("https?://[^/\\s?#@]+")) {
       throw new InputException(url + ": is not an address like http://HOST:8085");
     }
-    client = HttpClient.newBuilder().connectTimeout(PATIENCE).build();
+    client = HttpClient.newBuilder().connectTimeout(patience).build();
   }
 
   /**
@@ -224,14 +233,14 @@ public final class ProcessorHost {
       throws IOException {
     try {
       HttpRequest.Builder request =
-          HttpRequest.newBuilder(URI.create(url + path)).timeout(PATIENCE);
+          HttpRequest.newBuilder(URI.create(url + path)).timeout(patience);
       request.method(
           method,
           body.isEmpty()
               ? BodyPublishers.noBody()
               : BodyPublishers.ofByteArray(MAPPER.writeValueAsBytes(body.get())));
       body.ifPresent(b -> request.header("Content-Type", "application/json"));
-      return client.send(request.build(), BodyHandlers.ofString());
+      return whole(client.sendAsync(request.build(), head -> new LimitedText()));
     } catch (IllegalArgumentException e) {
       throw new InputException(url + ": is not an address like http://HOST:8085");
     } catch (InterruptedException e) {
@@ -240,6 +249,19 @@ public final class ProcessorHost {
     } catch (IOException e) {
       String words = e.getMessage() == null ? "no connection" : e.getMessage();
       throw new InputException(url + ": cannot be reached: " + words);
+    }
+  }
+
+  /** The request's own patience ends when an answer begins. */
+  private HttpResponse<String> whole(CompletableFuture<HttpResponse<String>> answer)
+      throws IOException, InterruptedException {
+    try {
+      return answer.get(2 * patience.toMillis(), TimeUnit.MILLISECONDS);
+    } catch (ExecutionException e) {
+      throw e.getCause() instanceof IOException io ? io : new IOException(e.getCause());
+    } catch (TimeoutException e) {
+      answer.cancel(true);
+      throw new IOException("it does not end its answer", e);
     }
   }
 

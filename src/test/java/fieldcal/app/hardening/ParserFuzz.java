@@ -4,16 +4,20 @@ import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.InitialModels;
 import fieldcal.app.calibrate.RecordingFolder;
 import fieldcal.app.calibrate.SelectionFile;
+import fieldcal.app.console.ActionsFuzz;
 import fieldcal.app.console.ConsoleFuzz;
 import fieldcal.app.diagnose.ExtendedModelFile;
+import fieldcal.app.diagnose.ResultsFuzz;
 import fieldcal.app.export.ExportFuzz;
 import fieldcal.app.export.ExportModel;
+import fieldcal.app.export.ProcessorFuzz;
 import fieldcal.app.history.History;
 import fieldcal.app.monitor.StateFile;
 import fieldcal.app.sslsim.SimulatorFuzz;
 import fieldcal.app.twin.TwinFile;
 import fieldcal.gamelog.GameLogReader;
 import fieldcal.gamelog.RefereeDecoder;
+import fieldcal.testing.ExpectationsFuzz;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.VisionDecoder;
 import java.io.ByteArrayOutputStream;
@@ -103,6 +107,8 @@ public final class ParserFuzz implements AutoCloseable {
 
   private final Map<String, Target> targets = new LinkedHashMap<>();
   private final Path scratch;
+  private final ProcessorFuzz vision;
+  private final ActionsFuzz actions;
   private final ConsoleFuzz console;
 
   private volatile String now = "nothing";
@@ -128,11 +134,11 @@ public final class ParserFuzz implements AutoCloseable {
     this.scratch = scratch;
     Path corpus = project.resolve("src/test/resources/fieldcal/app/hardening");
     byte[] log = head(project.resolve("test-data/erforce-flat.log.gz"), 20_000);
-    List<byte[]> vision = payloads(project.resolve("test-data/erforce-flat.log.gz"));
-    vision.addAll(payloads(project.resolve("test-data/world-null-chip.log.gz")));
+    List<byte[]> packets = payloads(project.resolve("test-data/erforce-flat.log.gz"));
+    packets.addAll(payloads(project.resolve("test-data/world-null-chip.log.gz")));
     targets.put("game-log", new Target(file("f.log", ParserFuzz::readLog), List.of(log)));
     targets.put("gzip", new Target(file("f.log.gz", ParserFuzz::readLog), List.of(packed(log))));
-    targets.put("vision", new Target(b -> new VisionDecoder(EPOCH).decode(b), vision));
+    targets.put("vision", new Target(b -> new VisionDecoder(EPOCH).decode(b), packets));
     targets.put(
         "referee",
         new Target(
@@ -155,6 +161,12 @@ public final class ParserFuzz implements AutoCloseable {
     targets.put(
         "simulator-answers", new Target(SimulatorFuzz.answers(), SimulatorFuzz.answerMessages()));
     targets.putAll(ExportFuzz.targets(scratch));
+    targets.putAll(ResultsFuzz.targets(scratch));
+    targets.put("expected", ExpectationsFuzz.target(scratch));
+    vision = new ProcessorFuzz();
+    targets.put("processor-host", new Target(vision, ProcessorFuzz.good()));
+    actions = new ActionsFuzz(scratch);
+    targets.putAll(actions.targets());
     console = new ConsoleFuzz(scratch);
     targets.put(
         "http", new Target(console, files(corpus, "request-get.http", "request-post.http")));
@@ -457,7 +469,9 @@ public final class ParserFuzz implements AutoCloseable {
   }
 
   @Override
-  public void close() {
+  public void close() throws IOException {
+    vision.close();
+    actions.close();
     console.close();
   }
 }
