@@ -10,17 +10,23 @@ import com.tngtech.archunit.core.domain.JavaMember;
 import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.domain.JavaType;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
+import java.util.function.BiConsumer;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /** What hosts may rely on is complete: no public signature leads out of the public packages. */
 class PublicApiTest {
 
+  private static final String MESSAGES = "fieldcal.proto.";
+
   /** What signatures may have besides public types: the JDK, and the league's messages, whose fields the league keeps. No type of another library. */
-  private static final List<String> ALSO = List.of("java.", "fieldcal.proto.");
+  private static final List<String> ALSO = List.of("java.", MESSAGES);
 
   private static final JavaClasses LIBRARY =
       new ClassFileImporter().importPath(ArchitectureTest.libraryClasses());
@@ -28,6 +34,31 @@ class PublicApiTest {
   @Test
   void publicSignaturesHavePublicTypesOnly() {
     TreeSet<String> leaks = new TreeSet<>();
+    forEachShown(
+        (member, shown) -> {
+          if (ALSO.stream().noneMatch(shown.getName()::startsWith) && !isPublicApi(shown)) {
+            leaks.add(member.getFullName() + " shows " + shown.getName());
+          }
+        });
+    assertThat(leaks).isEmpty();
+  }
+
+  @Test
+  void theDocumentNamesTheMessagesThatAreShown() throws IOException {
+    Path document = Path.of(System.getProperty("fieldcal.projectDir", "."), "docs/library.md");
+    TreeSet<String> messages = new TreeSet<>();
+    forEachShown(
+        (member, shown) -> {
+          if (shown.getName().startsWith(MESSAGES)) {
+            messages.add(
+                "`" + shown.getName().substring(MESSAGES.length()).replace('$', '.') + "`");
+          }
+        });
+    assertThat(messages).isNotEmpty();
+    assertThat(Files.readString(document)).contains(messages);
+  }
+
+  private static void forEachShown(BiConsumer<JavaMember, JavaClass> look) {
     for (JavaClass type : LIBRARY) {
       if (!isPublicApi(type) || !isVisible(type)) {
         continue;
@@ -37,15 +68,12 @@ class PublicApiTest {
       for (JavaMember member : members.filter(PublicApiTest::isVisible).toList()) {
         for (JavaClass used : typesOf(member)) {
           JavaClass element = used.getBaseComponentType();
-          if (!element.isPrimitive()
-              && ALSO.stream().noneMatch(element.getName()::startsWith)
-              && !isPublicApi(element)) {
-            leaks.add(member.getFullName() + " shows " + element.getName());
+          if (!element.isPrimitive()) {
+            look.accept(member, element);
           }
         }
       }
     }
-    assertThat(leaks).isEmpty();
   }
 
   @Test
