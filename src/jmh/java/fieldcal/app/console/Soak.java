@@ -10,7 +10,10 @@ import fieldcal.app.net.NetworkPlace;
 import fieldcal.benchmark.BenchmarkSettings;
 import fieldcal.benchmark.Goal;
 import fieldcal.benchmark.NetworkPlayBenchmark;
+import fieldcal.kick.KickFinder;
+import fieldcal.live.KickCounts;
 import fieldcal.live.LiveKick;
+import fieldcal.live.LiveSnapshot;
 import fieldcal.live.SimulatedMatch;
 import fieldcal.simulation.SimulatedPacket;
 import fieldcal.vision.Epoch;
@@ -51,6 +54,9 @@ public final class Soak {
   /** How many frames may be on their way: the sockets hold some hundred packets. */
   private static final int AHEAD = 60;
 
+  /** How long is waited for a frame on its way before it counts as lost, ms: the machine may be busy with other work. */
+  private static final int PATIENCE = 2000;
+
   /** A thread for each: the common pool of a small machine has one, which on Java 25 runs one task after the other. */
   private static final Executor THREADS = task -> new Thread(task).start();
 
@@ -62,6 +68,7 @@ public final class Soak {
   private final PrintStream out;
   private final SimulatedMatch match;
   private final AtomicInteger kicks = new AtomicInteger();
+  private final SoakKicks judged;
   private final Random random;
   private double shift;
 
@@ -69,6 +76,7 @@ public final class Soak {
     this.settings = settings;
     this.out = out;
     match = SimulatedMatch.play(settings.seed(), MATCH, -0.28);
+    judged = new SoakKicks(match);
     random = new Random(settings.seed());
   }
 
@@ -132,10 +140,12 @@ public final class Soak {
       List<Held> held = matches(monitor, feed.epoch(), port);
       stop.set(true);
       monitor.stop();
-      watching.get();
+      KickCounts counts = watching.get().snapshot().ball().counts();
+      out.printf("%d kicks found, %d of them dropped%n", counts.found(), counts.dropped());
       out.printf(
           "the console was looked at %d times; %d plays over UDP ended with all kicks%n",
           looking.get(), playing.get());
+      judged.judge(feed.epoch(), out);
       judge(held);
     } finally {
       try (Stream<Path> all = Files.walk(folder)) {
@@ -156,7 +166,7 @@ public final class Soak {
     for (int i = 0; i < number; i++) {
       Trouble trouble = Trouble.values()[i % Trouble.values().length];
       int before = kicks.get();
-      send(monitor, epoch, port, trouble);
+      long missing = send(monitor, epoch, port, trouble);
       awaitQuiet();
       int found = kicks.get() - before;
       if (trouble == Trouble.NONE) {
@@ -167,8 +177,8 @@ public final class Soak {
       held.add(Held.now());
       Held now = held.get(i);
       out.printf(
-          "match %d, %s: %d kicks, heap %.0f MB, %d threads, %d files%n",
-          i + 1, trouble, found, now.megabytes(), now.threads(), now.files());
+          "match %d, %s: %d kicks, %d frames lost, heap %.0f MB, %d threads, %d files%n",
+          i + 1, trouble, found, missing, now.megabytes(), now.threads(), now.files());
     }
     double seconds = (System.nanoTime() - begin) * 1e-9;
     out.printf(
@@ -204,12 +214,17 @@ public final class Soak {
     return sorted[sorted.length / 2];
   }
 
-  private void send(MonitorSession monitor, Epoch epoch, int port, Trouble trouble)
+  /** Sends the match once; returns how many of the frames that were sent never reached the monitor. */
+  private long send(MonitorSession monitor, Epoch epoch, int port, Trouble trouble)
       throws Exception {
     VisionEncoder encoder = new VisionEncoder(epoch);
     LoopbackSender vision = new LoopbackSender(port);
+    AtomicInteger seen = new AtomicInteger();
+    KickFinder finder = judged.finder(seen);
+    double from = shift;
     int packets = 0;
-    long frames = monitor.status().snapshot().frames();
+    long before = taken(monitor);
+    long given = before;
     long sent = 0;
     int all = match.recording().packets().size();
     try (LoopbackSender junk = new LoopbackSender(port)) {
@@ -220,6 +235,7 @@ public final class Soak {
             vision = new LoopbackSender(port);
           } else if (trouble == Trouble.CLOCK) {
             shift += HOUR;
+            finder.finish();
           } else if (trouble == Trouble.FLOOD) {
             flood(junk);
           }
@@ -228,21 +244,29 @@ public final class Soak {
           continue;
         }
         VisionPacket content = packet.packet();
-        Optional<VisionFrame> frame = content.frame();
-        VisionPacket later =
-            frame.isPresent()
-                ? new VisionPacket(
-                    Optional.of(SimulatedMatch.later(frame.get(), shift)), content.geometry())
-                : content;
-        vision.send(encoder.encode(later));
+        Optional<VisionFrame> frame = content.frame().map(f -> SimulatedMatch.later(f, shift));
+        vision.send(encoder.encode(new VisionPacket(frame, content.geometry())));
+        frame.ifPresent(finder::accept);
         sent += frame.isPresent() ? 1 : 0;
         // A frame that is lost is lost: it is waited for once.
-        frames -= missing(monitor, frames + sent - AHEAD);
+        given -= missing(monitor, given + sent - AHEAD);
       }
     } finally {
       vision.close();
     }
+    missing(monitor, given + sent);
+    finder.finish();
+    double to = shift + match.duration() + BREAK / 2;
+    long lost = sent - (taken(monitor) - before);
+    judged.sent(from, to, seen.get(), lost);
     shift += match.duration() + BREAK;
+    return lost;
+  }
+
+  /** The frames that reached the monitor; it leaves out the first two after its clock was set. */
+  private static long taken(MonitorSession monitor) {
+    LiveSnapshot now = monitor.status().snapshot();
+    return now.frames() + now.strayFrames();
   }
 
   private void flood(LoopbackSender junk) throws IOException {
@@ -255,10 +279,10 @@ public final class Soak {
 
   /** Waits a little until the monitor has taken so many frames; how many it still has not. */
   private static long missing(MonitorSession monitor, long frames) throws InterruptedException {
-    for (int i = 0; i < 20 && monitor.status().snapshot().frames() < frames; i++) {
+    for (int i = 0; i < PATIENCE && taken(monitor) < frames; i++) {
       Thread.sleep(1);
     }
-    return Math.max(0, frames - monitor.status().snapshot().frames());
+    return Math.max(0, frames - taken(monitor));
   }
 
   /** The last kicks are fitted beside the frames. */
@@ -327,6 +351,7 @@ public final class Soak {
 
     @Override
     public void kick(LiveKick kick) {
+      judged.reported(kick.time());
       kicks.incrementAndGet();
     }
   }
