@@ -1,6 +1,7 @@
 package fieldcal.camera;
 
 import java.util.Locale;
+import java.util.Optional;
 
 /**
  * A camera above the field: from the world into its image and back, and onto the ground, as vision does it.
@@ -37,6 +38,9 @@ public final class Camera {
   /** No camera hangs farther from the field's centre, m: eight times the largest field of the rules. */
   private static final double MAX_DISTANCE = 100;
 
+  /** Coordinates from here on are shown with a power of ten, m; chosen, a thousand times {@link #MAX_DISTANCE}. */
+  private static final double LONG_NUMBER = 1e5;
+
   private final int id;
   private final Pinhole pinhole; // null: position only
   private final double x;
@@ -44,9 +48,17 @@ public final class Camera {
   private final double z;
   private final double ballPlane;
   private final String consistency;
+  private final boolean sound;
 
   private Camera(
-      int id, Pinhole pinhole, double x, double y, double z, double ballPlane, String consistency) {
+      int id,
+      Pinhole pinhole,
+      double x,
+      double y,
+      double z,
+      double ballPlane,
+      String consistency,
+      boolean sound) {
     if (!isPlace(x, y, z)) {
       throw new IllegalArgumentException(
           "camera " + id + ": no usable position: " + point(x, y, z) + "; " + consistency);
@@ -61,6 +73,7 @@ public final class Camera {
     this.z = z;
     this.ballPlane = ballPlane;
     this.consistency = consistency;
+    this.sound = sound;
   }
 
   /**
@@ -76,8 +89,8 @@ public final class Camera {
 
   /**
    * The camera of a calibration. The pose is used unless it contradicts the published position by more than {@link #POSITION_TOLERANCE} or is no pose
-   * at all (zero rotation, focal length not positive, camera not above the field); then the position alone is used. A published position that is not
-   * above the field is ignored.
+   * at all (zero rotation, focal length not positive, camera not above the field or more than 100 m from its centre); then the position alone is used. A published
+   * position where no camera can hang is ignored.
    *
    * @param calibration as published
    * @param ballPlane world height of the plane onto which vision projects balls, m
@@ -86,7 +99,6 @@ public final class Camera {
    */
   public static Camera of(CameraCalibration calibration, double ballPlane) {
     CameraCalibration c = calibration;
-    String published = point(c.derivedWorldX(), c.derivedWorldY(), c.derivedWorldZ());
     boolean positionUsable = isPlace(c.derivedWorldX(), c.derivedWorldY(), c.derivedWorldZ());
     Pinhole pinhole = Pinhole.of(c);
     String why;
@@ -96,15 +108,14 @@ public final class Camera {
       why =
           "by its published rotation the camera is at "
               + pinhole.position()
-              + ", not above the field";
+              + ", "
+              + noPlace(pinhole.cameraZ);
     } else if (!positionUsable) {
       String note =
           c.hasDerivedPosition()
-              ? "the published position "
-                  + published
-                  + " is not above the field; the one that follows from the rotation is used"
+              ? published(c) + "; the position that follows from the rotation is used"
               : "no position is published; it follows from the rotation";
-      return withPose(c.id(), pinhole, ballPlane, note);
+      return withPose(c.id(), pinhole, ballPlane, note, !c.hasDerivedPosition() || isUnset(c));
     } else {
       double apart =
           Math.hypot(
@@ -114,7 +125,7 @@ public final class Camera {
         String note =
             String.format(
                 Locale.ROOT, "rotation and published position agree to %.2f mm", apart * 1000);
-        return withPose(c.id(), pinhole, ballPlane, note);
+        return withPose(c.id(), pinhole, ballPlane, note, true);
       }
       why =
           String.format(
@@ -123,16 +134,58 @@ public final class Camera {
                   + " %s",
               pinhole.position(),
               apart,
-              published);
+              point(c.derivedWorldX(), c.derivedWorldY(), c.derivedWorldZ()));
+    }
+    if (!positionUsable) {
+      String neither = c.hasDerivedPosition() ? published(c) : "no position is published";
+      throw new IllegalArgumentException(
+          named(c.id()) + "no usable position: " + why + ", and " + neither);
     }
     return new Camera(
         c.id(),
         null,
         c.derivedWorldX(),
         c.derivedWorldY(),
-        positionUsable ? c.derivedWorldZ() : Double.NaN,
+        c.derivedWorldZ(),
         ballPlane,
-        why + "; only the published position is used");
+        why + "; only the published position is used",
+        false);
+  }
+
+  /**
+   * Why a calibration, or a part of it, cannot be used; for those who tell the operator of it.
+   *
+   * @param calibration as published
+   * @return one clause without the camera's number and without a full stop; empty when all of it is used
+   */
+  public static Optional<String> faultOf(CameraCalibration calibration) {
+    try {
+      return of(calibration).fault();
+    } catch (IllegalArgumentException unusable) {
+      return Optional.of(unusable.getMessage().substring(named(calibration.id()).length()));
+    }
+  }
+
+  private static String named(int id) {
+    return "camera " + id + ": ";
+  }
+
+  /** Whether a source that cannot leave the position out filled it with zeros. */
+  private static boolean isUnset(CameraCalibration c) {
+    return c.derivedWorldX() == 0 && c.derivedWorldY() == 0 && c.derivedWorldZ() == 0;
+  }
+
+  /** What is wrong with a published position that is no place for a camera. */
+  private static String published(CameraCalibration c) {
+    return "the published position "
+        + point(c.derivedWorldX(), c.derivedWorldY(), c.derivedWorldZ())
+        + " is "
+        + noPlace(c.derivedWorldZ());
+  }
+
+  /** Why no camera can hang there, at a height in m; NaN counts as too low. */
+  private static String noPlace(double height) {
+    return height >= MIN_HEIGHT ? "too far from the field" : "not above the field";
   }
 
   /**
@@ -146,7 +199,7 @@ public final class Camera {
    * @throws IllegalArgumentException if a coordinate is not finite or the height too small
    */
   public static Camera ofPosition(int id, double x, double y, double z) {
-    return new Camera(id, null, x, y, z, BALL_RADIUS, "only the position is known");
+    return new Camera(id, null, x, y, z, BALL_RADIUS, "only the position is known", true);
   }
 
   /** Whether a camera can hang there: above the field and not too far away; false for NaN. */
@@ -154,9 +207,10 @@ public final class Camera {
     return z >= MIN_HEIGHT && z <= MAX_DISTANCE && Math.hypot(x, y) <= MAX_DISTANCE;
   }
 
-  private static Camera withPose(int id, Pinhole pinhole, double ballPlane, String note) {
+  private static Camera withPose(
+      int id, Pinhole pinhole, double ballPlane, String note, boolean sound) {
     return new Camera(
-        id, pinhole, pinhole.cameraX, pinhole.cameraY, pinhole.cameraZ, ballPlane, note);
+        id, pinhole, pinhole.cameraX, pinhole.cameraY, pinhole.cameraZ, ballPlane, note, sound);
   }
 
   /**
@@ -167,7 +221,7 @@ public final class Camera {
    * @throws IllegalArgumentException if the height is not finite or not near the ground
    */
   public Camera withBallPlane(double height) {
-    return new Camera(id, pinhole, x, y, z, height, consistency);
+    return new Camera(id, pinhole, x, y, z, height, consistency, sound);
   }
 
   /**
@@ -177,7 +231,7 @@ public final class Camera {
    * @return a new camera
    */
   public Camera withoutPixels(String why) {
-    return new Camera(id, null, x, y, z, ballPlane, why + "; only the position is used");
+    return new Camera(id, null, x, y, z, ballPlane, why + "; only the position is used", false);
   }
 
   /**
@@ -259,6 +313,15 @@ public final class Camera {
    */
   public String consistency() {
     return consistency;
+  }
+
+  /**
+   * What of the published values is not used, and why.
+   *
+   * @return the note of {@link #consistency}; empty when nothing published was left out
+   */
+  public Optional<String> fault() {
+    return sound ? Optional.empty() : Optional.of(consistency);
   }
 
   /**
@@ -347,9 +410,14 @@ public final class Camera {
   }
 
   static String point(double x, double y, double z) {
-    return String.format(
-            Locale.ROOT, "(%.3f, %.3f, %.3f) m", millimetres(x), millimetres(y), millimetres(z))
+    return String.format(Locale.ROOT, "(%s, %s, %s) m", metres(x), metres(y), metres(z))
         .replace('-', '−');
+  }
+
+  /** A broken coordinate may have 39 digits, which nobody wants to read. */
+  private static String metres(double coordinate) {
+    return String.format(
+        Locale.ROOT, Math.abs(coordinate) < LONG_NUMBER ? "%.3f" : "%.3g", millimetres(coordinate));
   }
 
   /** Rounded to millimetres, zero without a sign. */

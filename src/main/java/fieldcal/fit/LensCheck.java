@@ -1,12 +1,10 @@
 package fieldcal.fit;
 
-import fieldcal.camera.Camera;
 import fieldcal.kick.Kick;
 import fieldcal.kick.Observations;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
 
 /**
  * Finds cameras whose published lens must be wrong, because it does not see the places where they report balls. Of such a camera only the position is used.
@@ -20,30 +18,17 @@ public final class LensCheck {
    */
   static final double LEAST_GROUND = 0.25;
 
-  /** Largest share of a sound camera's detections that may be false ones outside of its image. */
-  private static final double MOST_UNSEEN = 0.01;
+  private static final String UNSEEN =
+      "its published lens does not see the places where it reports balls";
 
   private LensCheck() {}
 
-  /** Detections of a camera, and those of them that its lens does not see. */
-  static final class Count {
-    private int all;
-    private int unseen;
-  }
-
-  /** Counts of each camera with a lens, by its id. Offsets and noise of the cameras hardly matter: they are millimetres. */
-  static Map<Integer, Count> count(Kick kick, CameraViews views) {
-    Map<Integer, Count> counts = new TreeMap<>();
-    Whitening whitening = new Whitening();
+  /** Counts of a kick. Offsets and noise of the cameras hardly matter: they are millimetres. */
+  static LensCounts count(Kick kick, CameraViews views) {
+    LensCounts counts = new LensCounts();
     Observations seen = kick.observations();
     for (int i = 0; i < seen.size(); i++) {
-      CameraView view = views.get(seen.camera(i));
-      if (view.camera().filter(Camera::hasPixels).isPresent()) {
-        Count count = counts.computeIfAbsent(view.id(), id -> new Count());
-        whitening.at(view, seen.x(i) - view.offsetX(), seen.y(i) - view.offsetY());
-        count.all++;
-        count.unseen += whitening.isSeen() ? 0 : 1;
-      }
+      counts.add(views.get(seen.camera(i)), seen.x(i), seen.y(i));
     }
     return counts;
   }
@@ -60,25 +45,10 @@ public final class LensCheck {
   }
 
   /** The same from the counts of each kick. */
-  static Map<Integer, Double> unusable(List<Map<Integer, Count>> kicks) {
-    Map<Integer, Count> counts = new TreeMap<>();
-    for (Map<Integer, Count> kick : kicks) {
-      kick.forEach(
-          (id, more) -> {
-            Count sum = counts.computeIfAbsent(id, key -> new Count());
-            sum.all += more.all;
-            sum.unseen += more.unseen;
-          });
-    }
-    Map<Integer, Double> shares = new TreeMap<>();
-    counts.forEach(
-        (id, count) -> {
-          double share = count.unseen / (double) count.all;
-          if (share > MOST_UNSEEN) {
-            shares.put(id, share);
-          }
-        });
-    return shares;
+  static Map<Integer, Double> unusable(List<LensCounts> kicks) {
+    LensCounts sum = new LensCounts();
+    kicks.forEach(sum::add);
+    return sum.unusable();
   }
 
   /**
@@ -101,8 +71,7 @@ public final class LensCheck {
                 unusable.contains(v.id())
                     ? new CameraView(
                         v.id(),
-                        v.camera()
-                            .map(c -> c.withoutPixels("its lens does not see what it reports")),
+                        v.camera().map(c -> c.withoutPixels(UNSEEN)),
                         v.offsetX(),
                         v.offsetY(),
                         v.noise())

@@ -25,7 +25,7 @@ public final class RecentKicks {
   private final class Evidence {
     private final Kick kick;
     private final int[] cameras;
-    private final Map<Integer, LensCheck.Count> lenses;
+    private final LensCounts lenses;
     private final Map<Integer, CameraNoise.Grid> grids;
     private final Map<Pair, SharedView> shared;
     private Set<Integer> without = Set.of();

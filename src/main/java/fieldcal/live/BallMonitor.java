@@ -104,6 +104,8 @@ public final class BallMonitor {
       if (!geometry.cameras().equals(calibrations)) {
         calibrations = geometry.cameras();
         cameras = CameraViews.of(views);
+        // Those who ask for the cameras' state see the new ones before the next kick.
+        compare = true;
       }
       BallModels models =
           settings.published().orElse(new BallModels(geometry.flat(), geometry.chip()));
@@ -318,6 +320,16 @@ public final class BallMonitor {
       tracks.forEach((parameter, track) -> earlier.of(parameter).forEach(track::add));
       compare = true;
     }
+  }
+
+  /**
+   * Why the lens of a camera is not used.
+   *
+   * @param published the camera
+   * @return one clause; empty when its lens fits what it reported, or when too little is known yet
+   */
+  Optional<String> lensFault(CameraCalibration published) {
+    return alignment.views().get(published.id()).camera().flatMap(Camera::fault);
   }
 
   /**

@@ -8,6 +8,7 @@ import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.Team;
 import fieldcal.vision.VisionFrame;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -236,6 +237,20 @@ public final class LiveMonitor {
     return camera.health(guard.now(), its, apart, from);
   }
 
+  /** Of the cameras as published, and of lenses that do not fit the detections. */
+  private List<CameraFault> faults() {
+    List<CameraFault> faults = new ArrayList<>();
+    for (CameraCalibration calibration :
+        field == null ? List.<CameraCalibration>of() : field.cameras()) {
+      int id = calibration.id();
+      Camera.faultOf(calibration)
+          .or(() -> ball.lensFault(calibration))
+          .ifPresent(reason -> faults.add(new CameraFault(id, reason)));
+    }
+    faults.sort(Comparator.comparingInt(CameraFault::camera));
+    return faults;
+  }
+
   /**
    * What is known now.
    *
@@ -256,6 +271,7 @@ public final class LiveMonitor {
           ballNow,
           movementNow,
           health,
+          faults(),
           frames,
           stray,
           jumps,

@@ -15,6 +15,7 @@ import java.util.Optional;
  * @param ball the ball
  * @param movement the robots
  * @param cameras each camera that sent frames, by id
+ * @param cameraFaults published cameras whose geometry, or a part of it, cannot be used, by id; also those that sent no frame
  * @param frames number of frames taken from all cameras
  * @param strayFrames number of frames left out because their time fits no other camera's
  * @param clockJumps how often the clock restarted
@@ -27,13 +28,14 @@ public record LiveSnapshot(
     BallSnapshot ball,
     MovementSnapshot movement,
     List<CameraHealth> cameras,
+    List<CameraFault> cameraFaults,
     long frames,
     long strayFrames,
     long clockJumps,
     long listenerFailures) {
 
   /**
-   * Copies the list. {@inheritDoc}
+   * Copies the lists. {@inheritDoc}
    *
    * @throws NullPointerException when a component is null
    */
@@ -43,5 +45,6 @@ public record LiveSnapshot(
     Objects.requireNonNull(ball, "ball");
     Objects.requireNonNull(movement, "movement");
     cameras = List.copyOf(cameras);
+    cameraFaults = List.copyOf(cameraFaults);
   }
 }

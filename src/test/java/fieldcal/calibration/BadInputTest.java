@@ -13,6 +13,7 @@ import fieldcal.fit.FitSettings;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickFinder;
 import fieldcal.kick.KickFinderSettings;
+import fieldcal.live.CameraHealth;
 import fieldcal.live.LiveListener;
 import fieldcal.live.LiveMonitor;
 import fieldcal.live.LiveSettings;
@@ -222,16 +223,18 @@ class BadInputTest {
   @ParameterizedTest
   @ValueSource(doubles = {-0.3, -0.5, -1, -3, -10})
   void aLensThatCannotBe(double distortion) {
-    requireAnswers(withFirstCamera(c -> changed(c, distortion, c.derivedWorldX())));
+    requireAnswers(
+        withFirstCamera(c -> changed(c, distortion, c.derivedWorldX())), "does not see the places");
   }
 
   @ParameterizedTest
   @ValueSource(doubles = {1e38, -1e38, 1e6, 200})
   void aCameraThatHangsInSpace(double x) {
-    requireAnswers(withFirstCamera(c -> changed(c, c.distortion(), x)));
+    requireAnswers(
+        withFirstCamera(c -> changed(c, c.distortion(), x)), "is too far from the field");
   }
 
-  private static void requireAnswers(FieldGeometry geometry) {
+  private static void requireAnswers(FieldGeometry geometry, String fault) {
     Calibration c = calibrate(mixed, geometry, kicks(mixed, geometry, UnaryOperator.identity()));
     double sound = accRoll(calibrate(mixed, UnaryOperator.identity()));
     assertThat(accRoll(c)).isEqualTo(sound, within(0.02 * Math.abs(sound)));
@@ -244,5 +247,13 @@ class BadInputTest {
     assertThat(monitor.snapshot().listenerFailures()).isZero();
     assertThat(monitor.snapshot().ball().counts().dropped()).isZero();
     assertThat(monitor.snapshot().ball().counts().used()).isPositive();
+    assertThat(monitor.snapshot().cameras()).isNotEmpty().allMatch(CameraHealth::calibrated);
+    assertThat(monitor.snapshot().cameraFaults())
+        .singleElement()
+        .satisfies(
+            f -> {
+              assertThat(f.camera()).isEqualTo(geometry.cameras().get(0).id());
+              assertThat(f.reason()).contains(fault);
+            });
   }
 }

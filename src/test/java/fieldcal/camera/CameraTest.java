@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import java.util.Random;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
@@ -247,6 +248,30 @@ class CameraTest {
     Camera absent = Camera.of(pose);
     assertThat(absent.poseSource()).isEqualTo(PoseSource.CALIBRATION);
     assertThat(absent.consistency()).startsWith("no position is published");
+    assertThat(List.of(near, zero, absent)).allMatch(c -> c.fault().isEmpty());
+    assertThat(far.fault()).hasValue(far.consistency());
+  }
+
+  @Test
+  void whatIsNotUsedIsNamed() {
+    CameraCalibration pose = at(DOWN, 0.1, -3, 2, 5);
+    double[] t = {pose.tx(), pose.ty(), pose.tz()};
+    assertThat(Camera.faultOf(pose)).isEmpty();
+    assertThat(Camera.faultOf(pose.withPosition(t, new double[] {1e35, 2, 5})))
+        .hasValue(
+            "the published position (1.00e+35, 2.000, 5.000) m is too far from the field; the"
+                + " position that follows from the rotation is used");
+    CameraCalibration high = at(DOWN, 0.1, -3, 2, 200);
+    assertThat(
+            Camera.faultOf(
+                high.withPosition(
+                    new double[] {high.tx(), high.ty(), high.tz()}, new double[] {-3, 2, 200})))
+        .hasValue(
+            "no usable position: by its published rotation the camera is at (−3.000, 2.000,"
+                + " 200.000) m, too far from the field, and the published position (−3.000, 2.000,"
+                + " 200.000) m is too far from the field");
+    assertThat(Camera.of(pose).withoutPixels("a lens").fault())
+        .hasValue("a lens; only the position is used");
   }
 
   @Test

@@ -36,7 +36,7 @@ final class InfoJson {
     summary
         .geometry()
         .ifPresentOrElse(
-            geometry -> addGeometry(root.putObject("geometry"), geometry),
+            geometry -> addGeometry(root.putObject("geometry"), info, geometry),
             () -> root.putNull("geometry"));
     info.referee()
         .ifPresentOrElse(
@@ -80,7 +80,7 @@ final class InfoJson {
     }
   }
 
-  private static void addGeometry(ObjectNode node, FieldGeometry geometry) {
+  private static void addGeometry(ObjectNode node, RecordingInfo info, FieldGeometry geometry) {
     node.put("length_m", geometry.length());
     node.put("width_m", geometry.width());
     node.put("goal_width_m", geometry.goalWidth());
@@ -90,7 +90,7 @@ final class InfoJson {
     for (CameraCalibration calibration : geometry.cameras()) {
       ObjectNode camera = cameras.addObject();
       camera.put("id", calibration.id());
-      camera.put("note", RecordingInfo.poseNote(calibration));
+      camera.put("note", info.note(calibration));
     }
     ObjectNode models = node.putObject("models");
     geometry

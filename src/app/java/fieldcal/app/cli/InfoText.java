@@ -140,10 +140,7 @@ final class InfoText {
       if (info.cameras().stream().noneMatch(camera -> camera.id() == calibration.id())) {
         line("  %6d  never sent a frame", calibration.id());
       }
-      String note = RecordingInfo.poseNote(calibration);
-      if (!note.isEmpty()) {
-        line("  %6d  %s", calibration.id(), note);
-      }
+      line("  %6d  %s", calibration.id(), info.note(calibration));
     }
     line("");
   }

@@ -2,6 +2,7 @@ package fieldcal.app.cli;
 
 import fieldcal.app.recording.LogOpener;
 import fieldcal.app.recording.RecordingFacts;
+import fieldcal.app.wording.LensWords;
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
 import fieldcal.gamelog.CameraStatistics;
@@ -14,11 +15,13 @@ import fieldcal.gamelog.RefereeState;
 import fieldcal.gamelog.RefereeStatistics;
 import fieldcal.gamelog.TrackerFrame;
 import fieldcal.gamelog.TrackerStatistics;
+import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.VisionFrame;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 
@@ -30,6 +33,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
  * @param cameras the cameras that sent frames
  * @param referee what the referee did
  * @param marked whether the recording says that its field was simulated
+ * @param unseenShares by camera whose published lens is not usable, the share of its detections that the lens does not see
  * @param trackers teams and automatic referees that sent tracked frames
  */
 record RecordingInfo(
@@ -38,6 +42,7 @@ record RecordingInfo(
     boolean marked,
     List<CameraStatistics> cameras,
     Optional<RefereeStatistics> referee,
+    Map<Integer, Double> unseenShares,
     List<TrackerStatistics> trackers) {
 
   /** Reads the whole log. */
@@ -46,13 +51,15 @@ record RecordingInfo(
     try (RecordingReader reader = opener.recording(file)) {
       RecordingStatistics statistics = new RecordingStatistics();
       AtomicBoolean marked = new AtomicBoolean();
-      RecordingSummary summary = read(reader, statistics, marked, progress);
+      LensWatch lenses = new LensWatch();
+      RecordingSummary summary = read(reader, statistics, marked, lenses, progress);
       return new RecordingInfo(
           file,
           summary,
           marked.get(),
           statistics.cameras(),
           statistics.referee(),
+          lenses.unusable(),
           statistics.trackers());
     }
   }
@@ -61,6 +68,7 @@ record RecordingInfo(
       RecordingReader reader,
       RecordingStatistics statistics,
       AtomicBoolean marked,
+      LensWatch lenses,
       TerminalProgress progress)
       throws GameLogException {
     return reader.read(
@@ -68,6 +76,12 @@ record RecordingInfo(
           @Override
           public void onFrame(VisionFrame frame, double receivedTime) {
             statistics.onFrame(frame, receivedTime);
+            lenses.accept(frame);
+          }
+
+          @Override
+          public void onGeometry(FieldGeometry geometry) {
+            lenses.geometry(geometry);
           }
 
           @Override
@@ -112,12 +126,11 @@ record RecordingInfo(
     return RecordingFacts.truthOf(file);
   }
 
-  /** What the operator should know of a camera's published pose; empty if all is well. */
-  static String poseNote(CameraCalibration calibration) {
-    try {
-      return Camera.of(calibration).consistency();
-    } catch (IllegalArgumentException e) {
-      return e.getMessage();
-    }
+  /** What the operator should know of a camera's published geometry. */
+  String note(CameraCalibration calibration) {
+    Double unseen = unseenShares.get(calibration.id());
+    return unseen != null
+        ? LensWords.unseen(calibration.distortion(), unseen) + "; only its position is used"
+        : Camera.faultOf(calibration).orElseGet(() -> Camera.of(calibration).consistency());
   }
 }

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.limits.LimitWords;
+import fieldcal.app.monitor.CameraFaultText;
 import fieldcal.app.monitor.MatchStatus;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.app.wording.RefereeWords;
@@ -53,6 +54,8 @@ final class MatchJson {
     root.set("teams", teams(s.movement()));
     ArrayNode cameras = root.putArray("cameras");
     s.cameras().forEach(c -> cameras.add(camera(c)));
+    ArrayNode faults = root.putArray("cameraFaults");
+    CameraFaultText.lines(s.cameraFaults()).forEach(faults::add);
     root.put("strayFrames", s.strayFrames());
     root.put("clockJumps", s.clockJumps());
     return root;

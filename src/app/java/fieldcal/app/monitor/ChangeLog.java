@@ -266,6 +266,9 @@ public final class ChangeLog implements LiveListener, AutoCloseable {
       number(one, "apart_mm", camera.apartMm());
       camera.apartFrom().ifPresent(other -> one.put("apart_from", other));
     }
+    ArrayNode faults = node.putArray("camera_faults");
+    s.cameraFaults()
+        .forEach(f -> faults.addObject().put("camera", f.camera()).put("reason", f.reason()));
     write(node.put("frames", s.frames()).put("stray_frames", s.strayFrames()));
   }
 

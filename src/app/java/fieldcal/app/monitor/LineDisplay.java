@@ -8,11 +8,14 @@ import fieldcal.live.LiveKick;
 import fieldcal.live.LiveWarning;
 import java.io.PrintWriter;
 import java.time.ZoneId;
+import java.util.HashSet;
+import java.util.Set;
 
 /** A match as plain lines, for files and pipes: warnings, what the referee changes, every kick; at the end the whole state. */
 public final class LineDisplay implements MatchDisplay {
   private final PrintWriter out;
   private final MatchText text;
+  private final Set<String> faults = new HashSet<>();
   private boolean begun;
   private boolean refereeHeard;
   private boolean silent;
@@ -42,6 +45,16 @@ public final class LineDisplay implements MatchDisplay {
     if (status.feed().silent() != silent) {
       silent = !silent;
       line(silent ? status.feed().notes().get(0) : "vision is back");
+    }
+    faults(status);
+  }
+
+  /** A match may last for hours: a camera that is not used is named when that is known, and not again in the state at the end. */
+  private void faults(MatchStatus status) {
+    for (String fault : CameraFaultText.lines(status.snapshot().cameraFaults())) {
+      if (faults.add(MatchText.fault(fault))) {
+        line(fault);
+      }
     }
   }
 
@@ -95,7 +108,10 @@ public final class LineDisplay implements MatchDisplay {
 
   @Override
   public void summary(MatchStatus status) {
+    faults(status);
     line("");
-    text.summary(status, MatchText.UNBROKEN).forEach(this::line);
+    text.summary(status, MatchText.UNBROKEN).stream()
+        .filter(line -> !faults.contains(line))
+        .forEach(this::line);
   }
 }

@@ -63,7 +63,7 @@ final class MatchText {
     status.feed().notes().forEach(note -> sentence(lines, note, width));
     ball(lines, s.ball(), width);
     robots(lines, s.movement(), width);
-    cameras(lines, s);
+    cameras(lines, s, width);
     kicks(lines, s.ball(), width);
     return lines;
   }
@@ -320,7 +320,7 @@ final class MatchText {
     return league.known() ? String.format(Locale.ROOT, "%s (%.2f)", mine, league.value()) : mine;
   }
 
-  private static void cameras(List<String> lines, LiveSnapshot s) {
+  private static void cameras(List<String> lines, LiveSnapshot s, int width) {
     lines.add("");
     add(
         lines,
@@ -359,6 +359,9 @@ final class MatchText {
           apart,
           uncalibrated);
     }
+    for (String fault : CameraFaultText.lines(s.cameraFaults())) {
+      sentence(lines, fault(fault), width);
+    }
     if (s.strayFrames() > 0 || s.clockJumps() > 0) {
       add(
           lines,
@@ -366,6 +369,11 @@ final class MatchText {
           s.strayFrames(),
           s.clockJumps());
     }
+  }
+
+  /** A line of {@link CameraFaultText} as it stands in the state. */
+  static String fault(String line) {
+    return "  " + line;
   }
 
   private static String number(String format, double value) {

@@ -1,8 +1,8 @@
 package fieldcal.app.recording;
 
-import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.CameraName;
 import fieldcal.app.wording.ClockWords;
+import fieldcal.app.wording.LensWords;
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
 import fieldcal.effect.ObservedCamera;
@@ -180,13 +180,7 @@ public final class KickCollector {
             problems.add(
                 new DataProblem(
                     logs.get(0) + ", camera " + id,
-                    String.format(
-                        Locale.ROOT,
-                        "its published lens (distortion %s) does not see %.0f %% of the places"
-                            + " where it reports balls",
-                        Amount.minus(
-                            String.format(Locale.ROOT, "%.4g", calibrations.get(id).distortion())),
-                        100 * share),
+                    LensWords.unseen(calibrations.get(id).distortion(), share),
                     1,
                     "only its position is used; calibrate it")));
   }
@@ -466,26 +460,23 @@ public final class KickCollector {
     }
 
     private void open(int number, CameraCalibration c) {
+      Optional<Camera> usable = Optional.empty();
       try {
-        Camera camera = Camera.of(c);
-        cameras.put(number, camera);
-        if (!camera.hasPixels()) {
-          problems.add(
-              new DataProblem(
-                  log + ", camera " + number,
-                  camera.consistency(),
-                  1,
-                  "on a real field, calibrate the camera; a simulator often publishes placeholders,"
-                      + " and then there is nothing to do"));
-        }
+        usable = Optional.of(Camera.of(c));
       } catch (IllegalArgumentException unusable) {
-        problems.add(
-            new DataProblem(
-                log + ", camera " + number,
-                unusable.getMessage(),
-                1,
-                "its view of flying balls cannot be used; calibrate the camera"));
+        // Why not is said below.
       }
+      usable.ifPresent(camera -> cameras.put(number, camera));
+      String advice =
+          usable.isEmpty()
+              ? "its view of flying balls cannot be used; calibrate the camera"
+              : usable.get().hasPixels()
+                  ? "calibrate the camera"
+                  : "on a real field, calibrate the camera; a simulator often publishes"
+                      + " placeholders, and then there is nothing to do";
+      Camera.faultOf(c)
+          .ifPresent(
+              fault -> problems.add(new DataProblem(log + ", camera " + number, fault, 1, advice)));
     }
 
     @Override

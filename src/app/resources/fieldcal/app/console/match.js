@@ -152,8 +152,9 @@ export function matchPage(app) {
   function showCameras(now) {
     const rows = now.cameras.map(c => el('tr', {}, el('td', {class: 'text'}, c.silentFor > 1 ? badge('bad', '⚠ ' + c.id + ' silent for ' + number(c.silentFor, 0) + ' s') : !c.calibrated ? badge('warn', c.id + ' not calibrated') : c.disagrees ? badge('warn', '⚠ ' + c.id + ': ' + number(c.apartMm, 0) + ' mm from camera ' + c.apartFrom) : badge('good', '✔ ' + c.id)),
       el('td', {}, number(c.rateHz, 1)), el('td', {}, number(c.noiseMm, 2)), el('td', {}, known(c.offsetXMm) ? number(c.offsetXMm, 1) + ', ' + number(c.offsetYMm, 1) : '–'), el('td', {}, c.gaps), el('td', {}, number(c.longestGap, 1))));
+    const faults = now.cameraFaults.map(text => el('p', {class: 'note camera-fault'}, '⚠ ' + text[0].toUpperCase() + text.slice(1) + '.'));
     const apart = now.cameras.some(c => c.disagrees) ? [el('p', {class: 'note'}, 'A mark says how far apart this camera and another one report the same ball. These offsets are taken out of the kicks here; in an AI that does not do so, the ball jumps. Calibrate these cameras again.')] : [];
-    content('health').replaceChildren(...rows.length ? [table([['Camera', true], ['Rate, Hz'], ['Noise, mm'], ['Offset x, y, mm'], ['Gaps'], ['Longest, s']], rows), ...apart] : [ el('p', {class: 'empty'}, 'No frame yet.')]);
+    content('health').replaceChildren(...rows.length ? [table([['Camera', true], ['Rate, Hz'], ['Noise, mm'], ['Offset x, y, mm'], ['Gaps'], ['Longest, s']], rows), ...faults, ...apart] : [ el('p', {class: 'empty'}, 'No frame yet.'), ...faults]);
   }
 
   return page;

@@ -2,7 +2,11 @@ package fieldcal.app.console;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import fieldcal.app.cli.EditedLog;
 import fieldcal.app.recording.LogOpener;
+import fieldcal.camera.CameraCalibration;
+import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.VisionPacket;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.DatagramPacket;
@@ -353,6 +357,42 @@ class BrowserTest {
             "const chart = Frame.charts.get(document.querySelector('#play-field .chart')); return"
                 + " chart.getOption().series.find(s => s.id === 'waiting').data.map(d => d.label"
                 + " && d.label.formatter)");
+  }
+
+  @Test
+  void aCameraThatIsNotUsedIsNamedOnceOnThePageOfAMatch() throws IOException {
+    Path session = Files.createDirectory(folder.resolve("broken-camera"));
+    SampleSession.recordMatch(session);
+    Path sound =
+        Files.move(session.resolve("matches/match.log.gz"), folder.resolve("sound.log.gz"));
+    EditedLog.copy(
+        sound,
+        session.resolve("matches/broken.log"),
+        p -> new VisionPacket(p.frame(), p.geometry().map(g -> g.withCameras(broken(g)))));
+    try (RunningConsole console = RunningConsole.start(session)) {
+      browser.open(console.url() + "#match");
+      browser.find("#watch-source");
+      browser.script(
+          "const s = document.getElementById('watch-source'); s.value = 'recording';"
+              + " s.dispatchEvent(new Event('change'))");
+      browser.click("#watch-start");
+      browser.awaitText("#watch-line", "ended");
+      assertThat(browser.count("#health .camera-fault")).isEqualTo(1);
+      assertThat(browser.text("#health .camera-fault"))
+          .startsWith("⚠ Camera 2: no usable position: ")
+          .endsWith(".");
+    }
+  }
+
+  /** Camera 2 hangs 200 m above the field. */
+  private static List<CameraCalibration> broken(FieldGeometry geometry) {
+    return geometry.cameras().stream()
+        .map(
+            c ->
+                c.id() == 2
+                    ? c.withPosition(new double[] {0, 0, 200}, new double[] {0, 0, 200})
+                    : c)
+        .toList();
   }
 
   @Test
