@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.Supplier;
 
 /**
  * Fits the two-phase flat or the bouncing chip trajectory to the detections of one kick.
@@ -15,6 +16,9 @@ import java.util.Objects;
  * <p>CMA-ES finds the neighbourhood of the global minimum on a subset of the observations under a robust loss, and Levenberg–Marquardt the minimum on all of them;
  * then outliers are left out, and plain least squares, which is efficient, gives the result. A kick that a descent explains, and that determines all parameters, needs no such search. The number of flights of a chip is
  * discrete: each plausible one is fitted, and the residuals decide. Immutable and thread-safe.
+ *
+ * <p>A fit that throws costs that kick alone: any {@link RuntimeException}, a {@link StackOverflowError} or an {@link AssertionError} becomes a failed fit with that reason. All other errors, such as an {@link
+ * OutOfMemoryError}, are the machine's and pass on to the caller.
  */
 public final class KickFitter {
   /** A kick with fewer detections after it determines nothing. */
@@ -173,17 +177,16 @@ public final class KickFitter {
    */
   public KickFit fit(FitProblem problem, KickKind kind) {
     long seed = settings.seed() + 7919L * problem.kick().id();
-    try {
-      return searched(problem, kind, seed);
-    } catch (RuntimeException e) {
-      return broken(problem, kind, seed, e);
-    }
+    return guarded(problem, kind, seed, () -> searched(problem, kind, seed));
   }
 
-  /** The failed fit of a kick whose fitting threw: whatever a recording holds, only this kick is lost. */
-  private static KickFit broken(
-      FitProblem problem, KickKind kind, long seed, RuntimeException cause) {
-    return KickFit.failed(problem.kick(), kind, "the fit broke off: " + cause, seed);
+  /** Whatever a recording holds, only this kick is lost. An error of the machine, such as no memory, is not the kick's. */
+  static KickFit guarded(FitProblem problem, KickKind kind, long seed, Supplier<KickFit> fit) {
+    try {
+      return fit.get();
+    } catch (RuntimeException | StackOverflowError | AssertionError e) {
+      return KickFit.failed(problem.kick(), kind, "the fit broke off: " + e, seed);
+    }
   }
 
   private KickFit searched(FitProblem problem, KickKind kind, long seed) {
@@ -222,11 +225,8 @@ public final class KickFitter {
    * @return the fit, of the same kind
    */
   public KickFit refit(FitProblem problem, KickFit before) {
-    try {
-      return refitted(problem, before);
-    } catch (RuntimeException e) {
-      return broken(problem, before.kind(), before.statistics().seed(), e);
-    }
+    return guarded(
+        problem, before.kind(), before.statistics().seed(), () -> refitted(problem, before));
   }
 
   private KickFit refitted(FitProblem problem, KickFit before) {

@@ -27,6 +27,8 @@ import java.util.OptionalDouble;
  * <p>Frames, geometry and phases come from one thread and take microseconds; {@link #poll} fits on another, some 10 to 100 ms a kick. The queue between them is bounded. {@link #snapshot} and {@link #samples}
  * may be called from any thread. Partial kicks count for what they determine. After dribbling the ball may spin;
  * then a parameter that spin changes counts only where it agrees with the other kicks ({@link BallParameter#spinSensitive}).
+ *
+ * <p>A kick whose fit throws an exception, a {@link StackOverflowError} or an {@link AssertionError} is lost and counts as dropped; the others are fitted. See {@link #poll} for other errors.
  */
 public final class BallMonitor {
   /** With this many samples, flat kicks determine accRoll better than a chip that hardly rolls. */
@@ -37,10 +39,16 @@ public final class BallMonitor {
 
   private record PhaseChange(double time, PlayPhase phase) {}
 
+  /** Fits a kick and decides what it determines: {@link KickJudge}, or what a test puts in its place. */
+  interface Judge {
+    /** See {@link KickJudge#judge}. */
+    LiveKick judge(Kick kick, CameraViews cameras, BallModels start, OptionalDouble roll);
+  }
+
   private final LiveSettings settings;
   private final LiveListener listener;
   private final KickFinder finder;
-  private final KickJudge judge;
+  private final Judge judge;
 
   // Of the frame thread.
   private final Deque<PhaseChange> phases = new ArrayDeque<>();
@@ -78,10 +86,15 @@ public final class BallMonitor {
    * @param listener receives kicks, medians and warnings, in the thread that calls {@link #poll}
    */
   public BallMonitor(LiveSettings settings, Epoch epoch, LiveListener listener) {
+    this(settings, listener, new KickJudge(settings, epoch)::judge);
+  }
+
+  /** With another judge. */
+  BallMonitor(LiveSettings settings, LiveListener listener, Judge judge) {
     this.settings = Objects.requireNonNull(settings, "settings");
     this.listener = Objects.requireNonNull(listener, "listener");
     finder = new KickFinder(settings.kicks(), this::found);
-    judge = new KickJudge(settings, epoch);
+    this.judge = judge;
     published = settings.published().orElse(BallModels.NONE);
     for (BallParameter parameter : BallParameter.values()) {
       tracks.put(parameter, new ParameterTrack(parameter, settings));
@@ -193,7 +206,8 @@ public final class BallMonitor {
   }
 
   /**
-   * Does one piece of the work that takes long: fits the oldest kick that waits.
+   * Does one piece of the work that takes long: fits the oldest kick that waits, and those that waited for it. Throws nothing but an error that is the machine's, such as an {@link OutOfMemoryError}:
+   * the kicks of this piece then count as dropped, and the next call goes on with the next kick.
    *
    * @return false when there was nothing to do
    */
@@ -216,32 +230,51 @@ public final class BallMonitor {
       }
       if (known != aligned) {
         aligned = known;
-        int lost = alignment.restart(known);
-        synchronized (shared) {
-          dropped += lost;
-        }
+        drop(alignment.restart(known));
       }
       if (anew) {
         compareAll();
       }
       try {
-        if (kick != null) {
-          alignment.add(kick).forEach(this::fit);
-        } else if (last) {
-          alignment.flush().forEach(this::fit);
-        }
-      } catch (RuntimeException e) {
-        // A kick whose processing fails must not end the watching: what was learnt with it is
-        // forgotten, and it counts as dropped.
-        int lost = alignment.restart(known);
+        fitAll(kick != null ? align(kick, known) : last ? alignment.flush() : List.of());
+      } finally {
         synchronized (shared) {
-          dropped += lost + (kick == null ? 0 : 1);
+          aside = alignment.waiting();
         }
-      }
-      synchronized (shared) {
-        aside = alignment.waiting();
       }
       return true;
+    }
+  }
+
+  /** Those that can be judged now. What was learnt with a kick that breaks this is forgotten, since it would break it again. */
+  private List<Kick> align(Kick kick, CameraViews known) {
+    try {
+      return alignment.add(kick);
+    } catch (RuntimeException | StackOverflowError | AssertionError e) {
+      drop(1 + alignment.restart(known));
+      return List.of();
+    } catch (Error e) {
+      drop(1 + alignment.restart(known));
+      throw e;
+    }
+  }
+
+  private void drop(int lost) {
+    synchronized (shared) {
+      dropped += lost;
+    }
+  }
+
+  private void fitAll(List<Kick> ready) {
+    int left = ready.size();
+    try {
+      for (Kick kick : ready) {
+        fit(kick);
+        left--;
+      }
+    } finally {
+      // None, but after an error that is for the host.
+      drop(left);
     }
   }
 
@@ -256,7 +289,14 @@ public final class BallMonitor {
               ? OptionalDouble.of(known.median())
               : OptionalDouble.empty();
     }
-    LiveKick judged = judge.judge(kick, alignment.views(), start, roll);
+    LiveKick judged;
+    try {
+      judged = judge.judge(kick, alignment.views(), start, roll);
+    } catch (RuntimeException | StackOverflowError | AssertionError e) {
+      // It costs this kick and must not end the watching.
+      drop(1);
+      return;
+    }
     List<ParameterEstimate> changed = new ArrayList<>();
     synchronized (shared) {
       kicks.addLast(judged);

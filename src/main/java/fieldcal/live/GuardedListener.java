@@ -5,7 +5,7 @@ import fieldcal.vision.Team;
 import java.util.Objects;
 import java.util.concurrent.atomic.AtomicLong;
 
-/** Passes everything on to the host's listener; an exception of that listener must not end the watching. */
+/** Passes everything on to the host's listener; an exception, a stack overflow or a failed assertion of that listener must not end the watching. */
 final class GuardedListener implements LiveListener {
   private final LiveListener host;
   private final AtomicLong failures = new AtomicLong();
@@ -61,7 +61,7 @@ final class GuardedListener implements LiveListener {
   private void pass(Runnable call) {
     try {
       call.run();
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | StackOverflowError | AssertionError e) {
       failures.incrementAndGet();
     }
   }

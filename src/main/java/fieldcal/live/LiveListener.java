@@ -6,8 +6,8 @@ import fieldcal.vision.Team;
 /**
  * Receives what changes while a match is watched; a host shows it in its own way. All methods do nothing unless overridden.
  *
- * <p>Called from the thread that fits, one call after the other, never from within {@link LiveMonitor#accept} unless the host's executor runs tasks there. What a method throws is counted ({@link
- * LiveSnapshot#listenerFailures}) and otherwise ignored.
+ * <p>Called from the thread that fits, one call after the other, never from within {@link LiveMonitor#accept} unless the host's executor runs tasks there. An exception, a {@link StackOverflowError} or an {@link AssertionError} of a method is counted
+ * ({@link LiveSnapshot#listenerFailures}) and otherwise ignored.
  */
 public interface LiveListener {
   /** Ignores everything. */

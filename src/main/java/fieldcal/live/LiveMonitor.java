@@ -19,12 +19,16 @@ import java.util.TreeMap;
 import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
 
 /**
  * Watches a match: the ball, the robots, the cameras.
  *
  * <p>One thread gives it geometry, phases and frames as they come; that takes microseconds and never waits for a fit. What takes long runs on the host's executor, one task at a time, or, without one, in {@link
  * #poll}, which any other thread calls whenever it likes. {@link #snapshot}, {@link #samples} and {@link #add} may be called from any thread. It never throws on bad frames.
+ *
+ * <p>A fit that throws an exception, a {@link StackOverflowError} or an {@link AssertionError} costs one kick. Any other error, such as an {@link OutOfMemoryError}, is the machine's, and the host must hear of it: it is thrown
+ * out of {@link #poll}, or out of the task on the executor. The kick counts as dropped; the next frame or call of {@link #poll} goes on with the next one.
  */
 public final class LiveMonitor {
   private final GuardedListener listener;
@@ -69,10 +73,20 @@ public final class LiveMonitor {
 
   private LiveMonitor(
       LiveSettings settings, Epoch epoch, LiveListener listener, Optional<Executor> executor) {
+    this(settings, epoch, listener, executor, new KickJudge(settings, epoch)::judge);
+  }
+
+  /** With another judge of kicks. */
+  LiveMonitor(
+      LiveSettings settings,
+      Epoch epoch,
+      LiveListener listener,
+      Optional<Executor> executor,
+      BallMonitor.Judge judge) {
     this.listener = new GuardedListener(listener);
     this.epoch = Objects.requireNonNull(epoch, "epoch");
     this.executor = executor;
-    ball = new BallMonitor(settings, epoch, this.listener);
+    ball = new BallMonitor(settings, this.listener, judge);
     movement = new MovementMonitor(settings, epoch, this.listener);
   }
 
@@ -178,15 +192,20 @@ public final class LiveMonitor {
   }
 
   /**
-   * Does one piece of the work that takes long: some 10 to 100 ms for a kick, some tenths of a second for movement limits. Never throws into the host: a piece that breaks is
+   * Does one piece of the work that takes long: some 10 to 100 ms for a kick, some tenths of a second for movement limits. Throws nothing into the host but an error that is the machine's, such as an {@link OutOfMemoryError}: a piece that breaks for another reason is
    * counted in {@link LiveSnapshot#listenerFailures}.
    *
    * @return false when there was nothing to do
    */
   public boolean poll() {
+    return guarded(() -> ball.poll() || movement.poll());
+  }
+
+  /** A piece that breaks is over: there may be another one. */
+  boolean guarded(BooleanSupplier piece) {
     try {
-      return ball.poll() || movement.poll();
-    } catch (RuntimeException e) {
+      return piece.getAsBoolean();
+    } catch (RuntimeException | StackOverflowError | AssertionError e) {
       // Both take a piece from their queue before they work on it, so that the next call continues
       // with the rest.
       listener.countFailure();

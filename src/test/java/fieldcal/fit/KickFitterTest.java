@@ -436,4 +436,31 @@ class KickFitterTest {
       }
     }
   }
+
+  @ParameterizedTest
+  @ValueSource(
+      classes = {IllegalStateException.class, StackOverflowError.class, AssertionError.class})
+  void whatAFitThrowsIsTheReasonForItsFailure(Class<? extends Throwable> type) throws Exception {
+    FitProblem problem = problem(flat(0, 0, 4, 0, 0, -3, -0.28, 0.65));
+    Throwable thrown = type.getConstructor().newInstance();
+    KickFit failed = KickFitter.guarded(problem, KickKind.FLAT, SEED, () -> sneak(thrown));
+    assertThat(failed.failure()).hasValue("the fit broke off: " + thrown);
+    assertThat(failed.kick()).isSameAs(problem.kick());
+    // A failed fit has no values to begin from.
+    KickFit again = new KickFitter(FitSettings.defaults()).refit(problem, failed);
+    assertThat(again.failure().orElseThrow()).startsWith("the fit broke off: ");
+  }
+
+  @Test
+  void noMemoryIsNotTheKicksFault() {
+    FitProblem problem = problem(flat(0, 0, 4, 0, 0, -3, -0.28, 0.65));
+    OutOfMemoryError none = new OutOfMemoryError();
+    assertThatThrownBy(() -> KickFitter.guarded(problem, KickKind.FLAT, SEED, () -> sneak(none)))
+        .isSameAs(none);
+  }
+
+  @SuppressWarnings("unchecked")
+  private static <T extends Throwable> KickFit sneak(Throwable thrown) throws T {
+    throw (T) thrown;
+  }
 }
