@@ -14,6 +14,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipInputStream;
@@ -63,6 +65,19 @@ class DistributionTest {
             output(
                 List.of(unpacked.resolve("bin/fieldcal").toString(), "info", recording.toString())))
         .contains("grsim-flat");
+  }
+
+  /** The shell makes the name: the machine that tests may have no such locale either. */
+  @Test
+  void opensNamesBeyondAsciiWithoutALocale() throws Exception {
+    String script =
+        "name=$(printf 'Gr\\303\\266\\303\\237e.log.gz'); cp \"$1\" \"$name\";"
+            + " LC_ALL=C \"$2\" info \"$name\"";
+    String recording = PROJECT.resolve("test-data/grsim-flat.log.gz").toAbsolutePath().toString();
+    String program = unpacked.resolve("bin/fieldcal").toString();
+    assertThat(output(List.of("sh", "-c", script, "sh", recording, program)))
+        .startsWith("Größe.log.gz\n")
+        .contains("SSL_VISION_2014 25213");
   }
 
   @Test
@@ -139,6 +154,19 @@ class DistributionTest {
     for (String option : List.of("-Xmx512m", "-Xmx1g", "-Dfile.encoding", "fieldcal.app.cli")) {
       assertThat(unix).contains(option);
       assertThat(windows).contains(option);
+    }
+    String spelledOut = windows.replace("%HOTONLY%", "$hot_only");
+    Matcher tuning = Pattern.compile("tuning=(\"[^\"]+\"|-\\S+)").matcher(unix);
+    int found = 0;
+    while (tuning.find()) {
+      found++;
+      String options = tuning.group(1).replaceAll("[\";]", "");
+      assertThat(spelledOut.replace("%QUICK%", "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC"))
+          .contains("set \"TUNING=" + options + "\"");
+    }
+    assertThat(found).isGreaterThan(5);
+    for (String command : List.of("info", "calibrate", "monitor")) {
+      assertThat(windows).contains("if \"%~1\"==\"" + command + "\" goto short");
     }
   }
 

@@ -64,7 +64,7 @@ public final class JsonFiles {
    *
    * @param file from where
    * @return its bytes
-   * @throws InputException when there is no such file, it is a directory, or it may not be read
+   * @throws InputException when there is no such file, it is a directory, a pipe or a device, or it may not be read
    * @throws IOException when the device fails
    */
   public static byte[] bytes(Path file) throws IOException {
@@ -74,7 +74,10 @@ public final class JsonFiles {
     if (Files.isDirectory(file)) {
       throw new InputException(file + ": is a directory; name a file in it");
     }
-    if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
+    if (!Files.isRegularFile(file)) {
+      throw new InputException(file + ": is a pipe or a device; save it as a file first");
+    }
+    if (!Files.isReadable(file)) {
       throw new InputException(file + ": cannot be read; check its permissions");
     }
     return Files.readAllBytes(file);

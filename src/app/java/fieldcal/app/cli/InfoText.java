@@ -198,7 +198,7 @@ final class InfoText {
   }
 
   private static String nameOr(String name, String otherwise) {
-    return name.isEmpty() ? otherwise : name;
+    return name.isEmpty() ? otherwise : Harmless.line(name);
   }
 
   private static String number(double value, String format) {

@@ -16,6 +16,9 @@ import java.nio.file.StandardCopyOption;
  * as it is.
  */
 public final class WholeFile {
+  /** As many links in a row as Linux follows. */
+  private static final int MOST_LINKS = 40;
+
   private WholeFile() {}
 
   /**
@@ -31,10 +34,18 @@ public final class WholeFile {
 
   /** Where a link leads to, also when nothing is there yet. */
   private static Path followed(Path link) throws IOException {
-    if (Files.exists(link)) {
-      return link.toRealPath();
+    Path at = link.toAbsolutePath();
+    for (int i = 0; i < MOST_LINKS; i++) {
+      if (Files.exists(at)) {
+        return at.toRealPath();
+      }
+      if (!Files.isSymbolicLink(at)) {
+        return at;
+      }
+      at = at.resolveSibling(Files.readSymbolicLink(at)).normalize();
     }
-    return link.toAbsolutePath().resolveSibling(Files.readSymbolicLink(link)).normalize();
+    throw new FileSystemException(
+        link.toString(), null, "is a symbolic link that leads to itself; name a file");
   }
 
   private static void append(Path stream, Content content) throws IOException {

@@ -2,6 +2,7 @@ package fieldcal.app.monitor;
 
 import fieldcal.app.limits.LimitWords;
 import fieldcal.app.wording.Amount;
+import fieldcal.app.wording.Harmless;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.app.wording.RefereeWords;
 import fieldcal.gamelog.RefereeState;
@@ -129,7 +130,7 @@ final class MatchText {
   }
 
   private static String name(RefereeState.TeamState team, Team colour) {
-    return team.name().isBlank() ? colour.label() : team.name();
+    return team.name().isBlank() ? colour.label() : Harmless.line(team.name());
   }
 
   /** As it was when the warning began: a step of the newest kicks may not have moved the median of all yet. */

@@ -4,6 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
+import fieldcal.gamelog.GameLogReader;
+import fieldcal.gamelog.GameLogWriter;
+import fieldcal.gamelog.MessageType;
+import fieldcal.proto.Referee;
 import java.io.File;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -75,6 +79,76 @@ class OddFilesTest {
     assertThat(ended.status()).isEqualTo(1);
     assertThat(ended.err())
         .isEqualTo("fieldcal: " + pipe + ": is a pipe or a device; save it as a file first\n");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"--initial", "--commands"})
+  void aFileBesideTheRecordingThatIsAPipeIsRefusedWithoutWaiting(String option) throws Exception {
+    Ended ended = run("calibrate", LOG.toString(), option, pipe.toString());
+    assertThat(ended.status()).isEqualTo(1);
+    assertThat(ended.err())
+        .isEqualTo("fieldcal: " + pipe + ": is a pipe or a device; save it as a file first\n");
+  }
+
+  @Test
+  void aResultThatIsALinkToItselfIsAnErrorInOneLine() throws Exception {
+    Path link = Files.createSymbolicLink(folder.resolve("self.json"), Path.of("self.json"));
+    Ended ended = run("calibrate", LOG.toString(), "--json", link.toString());
+    assertThat(ended.status()).isEqualTo(1);
+    assertThat(ended.err())
+        .isEqualTo(
+            "fieldcal: " + link + ": is a symbolic link that leads to itself; name a file\n");
+    assertThat(link).isSymbolicLink();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"info", "monitor --log"})
+  void aTeamsNameDoesNotSteerTheTerminal(String command) throws Exception {
+    Path log = folder.resolve("named.log");
+    try (GameLogReader reader = GameLogReader.open(LOG.resolveSibling("grsim-flat.log.gz"));
+        GameLogWriter writer = GameLogWriter.create(log)) {
+      boolean told = false;
+      while (reader.next()) {
+        if (!told) {
+          byte[] referee = referee("Team\u001b]0;owned\u0007\u001b[2J\nfieldcal: all is well");
+          writer.write(reader.receivedNanos(), MessageType.SSL_REFBOX_2013, referee);
+          told = true;
+        }
+        writer.write(
+            reader.receivedNanos(),
+            reader.type().code(),
+            reader.buffer(),
+            reader.payloadOffset(),
+            reader.payloadLength());
+      }
+    }
+    Ended ended = run((command + " " + log).split(" "));
+    assertThat(ended.status()).as(ended.err()).isZero();
+    assertThat(ended.out()).contains("Team␛]0;owned␇␛[2J").doesNotContain("\u001b", "\u0007");
+    assertThat(ended.out().lines()).noneMatch(line -> line.startsWith("fieldcal"));
+  }
+
+  private static byte[] referee(String name) {
+    Referee.TeamInfo team =
+        Referee.TeamInfo.newBuilder()
+            .setName(name)
+            .setScore(0)
+            .setRedCards(0)
+            .setYellowCards(0)
+            .setTimeouts(0)
+            .setTimeoutTime(0)
+            .setGoalkeeper(0)
+            .build();
+    return Referee.newBuilder()
+        .setPacketTimestamp(1_763_712_345_000_000L)
+        .setStage(Referee.Stage.NORMAL_FIRST_HALF)
+        .setCommand(Referee.Command.FORCE_START)
+        .setCommandCounter(1)
+        .setCommandTimestamp(1_763_712_345_000_000L)
+        .setYellow(team)
+        .setBlue(team)
+        .build()
+        .toByteArray();
   }
 
   @Test

@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.time.Instant;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -36,6 +38,30 @@ class WholeFileTest {
     WholeFile.write("new", link);
     assertThat(link).isSymbolicLink();
     assertThat(folder.resolve("later.json")).hasContent("new");
+  }
+
+  @Test
+  void aLinkToALinkToNothingYetGetsTheLastTarget() throws IOException {
+    Path second = Files.createSymbolicLink(folder.resolve("second.json"), Path.of("later.json"));
+    Path first = Files.createSymbolicLink(folder.resolve("first.json"), second.getFileName());
+    WholeFile.write("new", first);
+    assertThat(first).isSymbolicLink();
+    assertThat(second).isSymbolicLink();
+    assertThat(folder.resolve("later.json")).hasContent("new");
+  }
+
+  @Test
+  void aLinkThatLeadsToItselfIsAnErrorAndStays() throws IOException {
+    Path self = Files.createSymbolicLink(folder.resolve("self.json"), Path.of("self.json"));
+    Path there = Files.createSymbolicLink(folder.resolve("there.json"), Path.of("back.json"));
+    Path back = Files.createSymbolicLink(folder.resolve("back.json"), Path.of("there.json"));
+    for (Path link : List.of(self, there, back)) {
+      assertThatThrownBy(() -> WholeFile.write("new", link))
+          .isInstanceOf(FileSystemException.class)
+          .hasMessage(link + ": is a symbolic link that leads to itself; name a file");
+      assertThat(Files.isSymbolicLink(link)).isTrue();
+    }
+    assertThat(files(folder)).containsExactlyInAnyOrder("self.json", "there.json", "back.json");
   }
 
   @Test
