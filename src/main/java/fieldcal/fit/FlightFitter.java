@@ -58,8 +58,7 @@ final class FlightFitter {
     FlightProblem coarse = finder.widely(data.pick(subset), 0);
     double[] start = bestStart(coarse, starts);
     MinimumFinder.Descent descent =
-        finder.descend(
-            kind == KickKind.FLAT ? List.of(start) : List.of(start, withModelOf(start)));
+        finder.descend(kind == KickKind.FLAT ? List.of(start) : List.of(start, withModelOf(start)));
     if (!explains(descent.minimum()) || !determinesAll(descent.minimum())) {
       double[] found =
           new CmaesSearch(coarse, parameters, start, SPREAD)

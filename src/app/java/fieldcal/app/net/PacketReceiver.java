@@ -19,6 +19,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongSupplier;
 
 /**
  * Receives UDP packets on a thread of its own, and keeps the newest of them until somebody takes them. Nobody waits for a slow taker: what does not fit is dropped, the oldest first, and counted, so that what
@@ -37,6 +38,7 @@ public final class PacketReceiver implements AutoCloseable {
   private final NetworkPlace place;
   private final int capacity;
   private final long patience;
+  private final LongSupplier clock;
   private final Thread thread;
 
   private final Object shared = new Object();
@@ -45,13 +47,13 @@ public final class PacketReceiver implements AutoCloseable {
   private long dropped;
   private long rejoined;
   private List<String> joined = List.of();
-  private long last = System.nanoTime();
+  private long last;
   private String problem;
   private boolean closed;
   private int port;
 
   /** When nothing was waiting last; of the receiving thread. */
-  private long lastEmpty = System.nanoTime();
+  private long lastEmpty;
 
   private long beforeLastLook;
   private boolean droppedBefore;
@@ -67,9 +69,18 @@ public final class PacketReceiver implements AutoCloseable {
    * @throws IOException when the port cannot be opened at all, with place and reason; that no interface is there yet is no reason
    */
   public PacketReceiver(NetworkPlace place, int capacity, double patience) throws IOException {
+    this(place, capacity, patience, System::nanoTime);
+  }
+
+  /** With a clock like {@link System#nanoTime}. */
+  PacketReceiver(NetworkPlace place, int capacity, double patience, LongSupplier clock)
+      throws IOException {
     this.place = place;
     this.capacity = capacity;
     this.patience = (long) (patience * SECOND);
+    this.clock = clock;
+    last = clock.getAsLong();
+    lastEmpty = last;
     try {
       open();
     } catch (IOException e) {
@@ -149,17 +160,18 @@ public final class PacketReceiver implements AutoCloseable {
 
   private void receive() {
     ByteBuffer buffer = ByteBuffer.allocate(LARGEST);
-    long joinedAt = System.nanoTime();
+    long joinedAt = clock.getAsLong();
     while (!isClosed()) {
       try {
         if (!channel.isOpen()) {
           open();
-          joinedAt = System.nanoTime();
+          joinedAt = clock.getAsLong();
         }
         selector.select(WAIT);
         selector.selectedKeys().clear();
+        // Before the look: a machine that is late after it finds a silence that packets have ended.
+        long now = clock.getAsLong();
         take(buffer);
-        long now = System.nanoTime();
         if (now - lastPacket() > patience && now - joinedAt > patience) {
           reopen();
           joinedAt = now;
@@ -180,7 +192,7 @@ public final class PacketReceiver implements AutoCloseable {
     for (SocketAddress from = next(buffer); from != null; from = next(buffer)) {
       byte[] data = new byte[buffer.flip().remaining()];
       buffer.get(data);
-      offer(new Packet(data, (InetSocketAddress) from, System.nanoTime(), lastEmpty, true));
+      offer(new Packet(data, (InetSocketAddress) from, clock.getAsLong(), lastEmpty, true));
     }
     lastEmpty = beforeLastLook;
   }
@@ -188,7 +200,7 @@ public final class PacketReceiver implements AutoCloseable {
   private SocketAddress next(ByteBuffer buffer) throws IOException {
     buffer.clear();
     // Before the look, since a pause may follow it.
-    beforeLastLook = System.nanoTime();
+    beforeLastLook = clock.getAsLong();
     return channel.receive(buffer);
   }
 
@@ -274,7 +286,7 @@ public final class PacketReceiver implements AutoCloseable {
    */
   public ReceiverCounts counts() {
     synchronized (shared) {
-      double silent = (System.nanoTime() - last) / (double) SECOND;
+      double silent = (clock.getAsLong() - last) / (double) SECOND;
       return new ReceiverCounts(
           received, dropped, rejoined, joined, silent, Optional.ofNullable(problem));
     }

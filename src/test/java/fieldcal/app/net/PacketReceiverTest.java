@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongSupplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -71,6 +73,58 @@ class PacketReceiverTest {
       }
       sendUntilTaken(sender, receiver, 2);
       assertThat(receiver.counts().problem()).isEmpty();
+    }
+  }
+
+  /** The thread is held up at each of the places where it looks at the clock, while packets come in. */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 3, 4})
+  void whatComesWhileTheMachineIsLateIsNotLostToARejoin(int looks) throws Exception {
+    LateClock clock = new LateClock();
+    try (PacketReceiver receiver = new PacketReceiver(anyPort(), 100, 60, clock);
+        LoopbackSender sender = new LoopbackSender(receiver.port())) {
+      sendUntilTaken(sender, receiver, 1);
+      clock.holdUpAfter(
+          looks,
+          () -> {
+            for (int i = 0; i < 50; i++) {
+              sender.send(new byte[] {2});
+            }
+          });
+      int taken = 0;
+      while (taken < 50) {
+        taken += receiver.take(LONG).orElseThrow().data()[0] == 2 ? 1 : 0;
+      }
+    }
+  }
+
+  /** Counts how often the receiving thread looks at it; once it is held up for two minutes. */
+  private static final class LateClock implements LongSupplier {
+    private final Thread test = Thread.currentThread();
+    private long late;
+    private int looks;
+    private Sending meanwhile;
+
+    private interface Sending {
+      void send() throws IOException;
+    }
+
+    synchronized void holdUpAfter(int number, Sending sending) {
+      looks = number;
+      meanwhile = sending;
+    }
+
+    @Override
+    public synchronized long getAsLong() {
+      if (looks > 0 && Thread.currentThread() != test && --looks == 0) {
+        try {
+          meanwhile.send();
+        } catch (IOException e) {
+          throw new UncheckedIOException(e);
+        }
+        late = 120_000_000_000L;
+      }
+      return System.nanoTime() + late;
     }
   }
 
