@@ -7,6 +7,7 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
+import fieldcal.camera.ChangedCalibration;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.CameraViews;
 import fieldcal.fit.FitSettings;
@@ -199,39 +200,19 @@ class BadInputTest {
     return mixed.geometry().withCameras(cameras);
   }
 
-  private static CameraCalibration changed(CameraCalibration c, double distortion, double x) {
-    return new CameraCalibration(
-        c.id(),
-        c.focalLength(),
-        c.principalPointX(),
-        c.principalPointY(),
-        distortion,
-        c.q0(),
-        c.q1(),
-        c.q2(),
-        c.q3(),
-        c.tx(),
-        c.ty(),
-        c.tz(),
-        x,
-        c.derivedWorldY(),
-        c.derivedWorldZ(),
-        c.imageWidth(),
-        c.imageHeight());
-  }
-
   @ParameterizedTest
   @ValueSource(doubles = {-0.3, -0.5, -1, -3, -10})
   void aLensThatCannotBe(double distortion) {
     requireAnswers(
-        withFirstCamera(c -> changed(c, distortion, c.derivedWorldX())), "does not see the places");
+        withFirstCamera(c -> ChangedCalibration.withDistortion(c, distortion)),
+        "does not see the places");
   }
 
   @ParameterizedTest
   @ValueSource(doubles = {1e38, -1e38, 1e6, 200})
   void aCameraThatHangsInSpace(double x) {
     requireAnswers(
-        withFirstCamera(c -> changed(c, c.distortion(), x)), "is too far from the field");
+        withFirstCamera(c -> ChangedCalibration.withWorldX(c, x)), "is too far from the field");
   }
 
   private static void requireAnswers(FieldGeometry geometry, String fault) {

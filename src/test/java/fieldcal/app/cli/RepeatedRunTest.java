@@ -3,8 +3,6 @@ package fieldcal.app.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -25,19 +23,7 @@ class RepeatedRunTest {
   @BeforeAll
   static void simulate() throws IOException {
     log = folder.resolve("kicks.log.gz");
-    run("simulate", "--scenario=mixed", "--kicks=6", "--seed=3", "--out=" + log);
-  }
-
-  private static String run(String... arguments) {
-    StringWriter out = new StringWriter();
-    StringWriter err = new StringWriter();
-    int status =
-        Main.commandLine()
-            .setOut(new PrintWriter(out, true))
-            .setErr(new PrintWriter(err, true))
-            .execute(arguments);
-    assertThat(status).as(err.toString()).isZero();
-    return out.toString();
+    Told.by("simulate", "--scenario=mixed", "--kicks=6", "--seed=3", "--out=" + log);
   }
 
   /** Each file as text, which shows where two differ; bytes of no text stay distinct in this charset. */
@@ -58,7 +44,7 @@ class RepeatedRunTest {
     // Results name their own place, so it is the same each time.
     Path out = folder.resolve("results");
     String said =
-        run(command, "" + log, "--out", "" + out, "--json", "" + folder.resolve("j.json"));
+        Told.by(command, "" + log, "--out", "" + out, "--json", "" + folder.resolve("j.json"));
     Map<String, String> all = files(out);
     all.put("--json", Files.readString(folder.resolve("j.json")));
     all.put("standard output", said);

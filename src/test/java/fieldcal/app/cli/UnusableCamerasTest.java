@@ -5,11 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import fieldcal.camera.CameraCalibration;
+import fieldcal.camera.ChangedCalibration;
 import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.VisionPacket;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -32,11 +31,11 @@ class UnusableCamerasTest {
 
   /** What is published of the camera. */
   private enum Broken {
-    FOLDED_LENS("does not see", c -> with(c, -0.5, c.derivedWorldX(), c.derivedWorldZ(), c.tz())),
-    POSITION_IN_SPACE("too far", c -> with(c, c.distortion(), 1e35, c.derivedWorldZ(), c.tz())),
-    POSITION_OUTSIDE("too far", c -> with(c, c.distortion(), 200, c.derivedWorldZ(), c.tz())),
-    HANGS_TOO_HIGH("no usable position", c -> with(c, c.distortion(), 0, 200, 200)),
-    HANGS_IN_SPACE("no usable position", c -> with(c, c.distortion(), 0, 1e35, 1e35));
+    FOLDED_LENS("does not see", c -> ChangedCalibration.withDistortion(c, -0.5)),
+    POSITION_IN_SPACE("too far", c -> ChangedCalibration.withWorldX(c, 1e35)),
+    POSITION_OUTSIDE("too far", c -> ChangedCalibration.withWorldX(c, 200)),
+    HANGS_TOO_HIGH("no usable position", c -> ChangedCalibration.withHeight(c, 200)),
+    HANGS_IN_SPACE("no usable position", c -> ChangedCalibration.withHeight(c, 1e35));
 
     private final String reason;
     private final UnaryOperator<CameraCalibration> change;
@@ -50,29 +49,7 @@ class UnusableCamerasTest {
   @BeforeAll
   static void simulate() {
     sound = folder.resolve("sound.log");
-    run("simulate", "--scenario=mixed", "--kicks=6", "--seed=3", "--out=" + sound);
-  }
-
-  private static CameraCalibration with(
-      CameraCalibration c, double distortion, double x, double z, double tz) {
-    return new CameraCalibration(
-        c.id(),
-        c.focalLength(),
-        c.principalPointX(),
-        c.principalPointY(),
-        distortion,
-        c.q0(),
-        c.q1(),
-        c.q2(),
-        c.q3(),
-        c.tx(),
-        c.ty(),
-        tz,
-        x,
-        c.derivedWorldY(),
-        z,
-        c.imageWidth(),
-        c.imageHeight());
+    Told.by("simulate", "--scenario=mixed", "--kicks=6", "--seed=3", "--out=" + sound);
   }
 
   private static Path recording(Broken broken) throws IOException {
@@ -90,18 +67,6 @@ class UnusableCamerasTest {
             .toList());
   }
 
-  private static String run(String... arguments) {
-    StringWriter out = new StringWriter();
-    StringWriter err = new StringWriter();
-    int status =
-        Main.commandLine()
-            .setOut(new PrintWriter(out, true))
-            .setErr(new PrintWriter(err, true))
-            .execute(arguments);
-    assertThat(status).as(err.toString()).isZero();
-    return out.toString();
-  }
-
   private static void namedOnce(Broken broken, String out, String name) {
     // Lines that a terminal would break are continued with four spaces.
     List<String> lines =
@@ -115,28 +80,28 @@ class UnusableCamerasTest {
   @ParameterizedTest
   @EnumSource
   void infoNamesIt(Broken broken) throws IOException {
-    namedOnce(broken, run("info", "" + recording(broken)), "       " + CAMERA + "  ");
-    JsonNode info = new ObjectMapper().readTree(run("info", "--json", "" + recording(broken)));
+    namedOnce(broken, Told.by("info", "" + recording(broken)), "       " + CAMERA + "  ");
+    JsonNode info = new ObjectMapper().readTree(Told.by("info", "--json", "" + recording(broken)));
     assertThat(info.at("/geometry/cameras/" + CAMERA + "/note").asText()).contains(broken.reason);
   }
 
   @ParameterizedTest
   @EnumSource
   void calibrateNamesIt(Broken broken) throws IOException {
-    namedOnce(broken, run("calibrate", "" + recording(broken)), ", camera " + CAMERA + ": ");
+    namedOnce(broken, Told.by("calibrate", "" + recording(broken)), ", camera " + CAMERA + ": ");
   }
 
   @ParameterizedTest
   @EnumSource
   void diagnoseNamesIt(Broken broken) throws IOException {
-    namedOnce(broken, run("diagnose", "" + recording(broken)), ", camera " + CAMERA + ": ");
+    namedOnce(broken, Told.by("diagnose", "" + recording(broken)), ", camera " + CAMERA + ": ");
   }
 
   @ParameterizedTest
   @EnumSource
   void monitorNamesIt(Broken broken) throws IOException {
     Path changes = folder.resolve("changes.json");
-    String out = run("monitor", "--log", "" + recording(broken), "--json", "" + changes);
+    String out = Told.by("monitor", "--log", "" + recording(broken), "--json", "" + changes);
     namedOnce(broken, out, "camera " + CAMERA + ": ");
     List<String> lines = Files.readAllLines(changes);
     JsonNode fault =
@@ -151,7 +116,7 @@ class UnusableCamerasTest {
       String[] words =
           Stream.concat(Stream.of(command.split(" ")), Stream.of("" + sound))
               .toArray(String[]::new);
-      assertThat(run(words)).doesNotContain("does not see", "too far", "no usable", "SILENT");
+      assertThat(Told.by(words)).doesNotContain("does not see", "too far", "no usable", "SILENT");
     }
   }
 }

@@ -113,6 +113,16 @@ final class Browser implements AutoCloseable {
     return driver.findElements(By.cssSelector(css)).size();
   }
 
+  /** Chooses a value of a list. */
+  void choose(String css, String value) {
+    find(css);
+    script(
+        "const list = document.querySelector(arguments[0]); list.value = arguments[1];"
+            + " list.dispatchEvent(new Event('change'))",
+        css,
+        value);
+  }
+
   void click(String css) {
     await(
         css + " is pressed",

@@ -294,9 +294,7 @@ class BrowserTest {
         RunningConsole console = RunningConsole.start(session)) {
       browser.open(console.url() + "#play");
       browser.find("#play-field canvas");
-      browser.script(
-          "const s = document.getElementById('order-field'); s.value = 'simulator';"
-              + " s.dispatchEvent(new Event('change'))");
+      browser.choose("#order-field", "simulator");
       browser.type("#order-port", Integer.toString(field.port()));
       browser.type("#order-vision", field.vision());
       browser.click("#play-start");
@@ -329,9 +327,7 @@ class BrowserTest {
         RunningConsole console = RunningConsole.start(session)) {
       browser.open(console.url() + "#play");
       browser.find("#play-field canvas");
-      browser.script(
-          "const s = document.getElementById('order-field'); s.value = 'robots';"
-              + " s.dispatchEvent(new Event('change'))");
+      browser.choose("#order-field", "robots");
       // Nobody listens there.
       browser.type("#order-bridge", "127.0.0.1:1");
       browser.type("#order-vision", field.vision());
@@ -371,10 +367,7 @@ class BrowserTest {
         p -> new VisionPacket(p.frame(), p.geometry().map(g -> g.withCameras(broken(g)))));
     try (RunningConsole console = RunningConsole.start(session)) {
       browser.open(console.url() + "#match");
-      browser.find("#watch-source");
-      browser.script(
-          "const s = document.getElementById('watch-source'); s.value = 'recording';"
-              + " s.dispatchEvent(new Event('change'))");
+      browser.choose("#watch-source", "recording");
       browser.click("#watch-start");
       browser.awaitText("#watch-line", "ended");
       assertThat(browser.count("#health .camera-fault")).isEqualTo(1);
@@ -401,10 +394,7 @@ class BrowserTest {
     SampleSession.recordMatch(session);
     try (RunningConsole console = RunningConsole.start(session)) {
       browser.open(console.url() + "#match");
-      browser.find("#watch-source");
-      browser.script(
-          "const s = document.getElementById('watch-source'); s.value = 'recording';"
-              + " s.dispatchEvent(new Event('change'))");
+      browser.choose("#watch-source", "recording");
       browser.type("#watch-yellow", "9, 9");
       browser.click("#watch-start");
       browser.awaitText("#notices", "The limits of yellow must be");

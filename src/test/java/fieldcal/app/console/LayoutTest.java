@@ -177,10 +177,7 @@ class LayoutTest {
   void aMatchIsWholeOnAPhone() {
     browser.resize(390, 844);
     browser.open(console.url() + "#match");
-    browser.find("#watch-source");
-    browser.script(
-        "const s = document.getElementById('watch-source'); s.value = 'recording';"
-            + " s.dispatchEvent(new Event('change'))");
+    browser.choose("#watch-source", "recording");
     browser.click("#watch-start");
     browser.awaitText("#watch-line", "ended");
     browser.find("#last-kicks tbody tr");

@@ -82,9 +82,7 @@ public final class Screenshots {
         RunningConsole console = RunningConsole.start(session)) {
       browser.open(console.url() + "?theme=" + theme + "#play");
       browser.find("#play-field canvas");
-      browser.script(
-          "const s = document.getElementById('order-field'); s.value = 'simulator';"
-              + " s.dispatchEvent(new Event('change'))");
+      browser.choose("#order-field", "simulator");
       browser.type("#order-port", Integer.toString(field.port()));
       browser.type("#order-vision", field.vision());
       browser.click("#play-start");
@@ -204,9 +202,7 @@ public final class Screenshots {
     browser.script("document.getElementById('page-publish').scrollTop = 0");
     picture(browser, "console-publish");
     browser.press("5");
-    browser.script(
-        "const s = document.getElementById('watch-source'); s.value = 'recording';"
-            + " s.dispatchEvent(new Event('change'))");
+    browser.choose("#watch-source", "recording");
     browser.click("#watch-start");
     browser.awaitText("#watch-line", "ended");
     picture(browser, "console-match");
