@@ -54,11 +54,9 @@ final class FlightFitter {
 
   /** Fits with a search from the best of the starts, each of which is position, velocity and time of the kick. A kick that a descent from there explains, and that determines all parameters, needs no search. */
   KickFit fit(List<double[]> starts) {
-    int[] subset = SearchSubset.pick(data, problem.kick().time(), settings.searchObservations());
-    FlightProblem coarse = finder.widely(data.pick(subset), 0);
+    FlightProblem coarse = coarse();
     double[] start = bestStart(coarse, starts);
-    MinimumFinder.Descent descent =
-        finder.descend(kind == KickKind.FLAT ? List.of(start) : List.of(start, withModelOf(start)));
+    MinimumFinder.Descent descent = descent(start);
     if (!explains(descent.minimum()) || !determinesAll(descent.minimum())) {
       double[] found =
           new CmaesSearch(coarse, parameters, start, SPREAD)
@@ -67,6 +65,25 @@ final class FlightFitter {
     }
     evaluations += coarse.evaluations();
     return finish(descent.minimum());
+  }
+
+  /** Fits with no more than a descent from the best of the starts. */
+  KickFit descend(List<double[]> starts) {
+    FlightProblem coarse = coarse();
+    Minimum minimum = descent(bestStart(coarse, starts)).minimum();
+    evaluations += coarse.evaluations();
+    return finish(minimum);
+  }
+
+  /** The objective on the few observations that a search looks at. */
+  private FlightProblem coarse() {
+    int[] subset = SearchSubset.pick(data, problem.kick().time(), settings.searchObservations());
+    return finder.widely(data.pick(subset), 0);
+  }
+
+  private MinimumFinder.Descent descent(double[] start) {
+    return finder.descend(
+        kind == KickKind.FLAT ? List.of(start) : List.of(start, withModelOf(start)));
   }
 
   /** Whether a minimum explains the kick as {@link FitStatistics#explained} says of a fit. */

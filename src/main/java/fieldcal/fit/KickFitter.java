@@ -3,11 +3,11 @@ package fieldcal.fit;
 import fieldcal.ball.Parameter;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
-import fieldcal.kick.Observations;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.BiFunction;
 import java.util.function.Supplier;
 
 /**
@@ -73,11 +73,27 @@ public final class KickFitter {
           "is not a simple flat kick, and without the cameras' geometry no chip can be fitted";
       return KickFit.failed(problem.kick(), KickKind.FLAT, reason, flat.statistics().seed());
     }
+    if (flat.failure().isEmpty() && slidesAtFirst(problem)) {
+      return flat;
+    }
     KickFit chip = fit(problem, KickKind.CHIP);
     if (chip.failure().isPresent()) {
       return flat;
     }
     return flat.failure().isPresent() || isChip(problem, chip, flat) ? chip : flat;
+  }
+
+  /** Whether the flat model explains the first part, in which a chip would have flown; most kicks that it does not explain depart from it later. A descent shows that or nothing does: no search is needed to find what is plain. */
+  private boolean slidesAtFirst(FitProblem problem) {
+    FitProblem part = first(problem, FIRST);
+    return explains(fit(part, KickKind.FLAT, FlightFitter::descend));
+  }
+
+  private static FitProblem first(FitProblem problem, double seconds) {
+    Kick kick = problem.kick();
+    double end = kick.time() + seconds;
+    return problem.with(
+        kick.withObservations(kick.observations().between(Double.NEGATIVE_INFINITY, end)));
   }
 
   /**
@@ -88,11 +104,8 @@ public final class KickFitter {
     if (explains(chip)) {
       return is;
     }
-    Kick kick = problem.kick();
     for (double seconds = FIRST; seconds >= SHORTEST; seconds /= 2) {
-      Observations first =
-          kick.observations().between(Double.NEGATIVE_INFINITY, kick.time() + seconds);
-      FitProblem part = problem.with(kick.withObservations(first));
+      FitProblem part = first(problem, seconds);
       KickFit hopping = fit(part, KickKind.CHIP);
       KickFit sliding = fit(part, KickKind.FLAT);
       if (sliding.failure().isPresent()) {
@@ -176,8 +189,13 @@ public final class KickFitter {
    * @return the fit; one that failed says why in {@link KickFit#failure}. The same seed and data give the same fit
    */
   public KickFit fit(FitProblem problem, KickKind kind) {
+    return fit(problem, kind, FlightFitter::fit);
+  }
+
+  private KickFit fit(
+      FitProblem problem, KickKind kind, BiFunction<FlightFitter, List<double[]>, KickFit> how) {
     long seed = settings.seed() + 7919L * problem.kick().id();
-    return guarded(problem, kind, seed, () -> searched(problem, kind, seed));
+    return guarded(problem, kind, seed, () -> started(problem, kind, seed, how));
   }
 
   /** Whatever a recording holds, only this kick is lost. An error of the machine, such as no memory, is not the kick's. */
@@ -189,7 +207,11 @@ public final class KickFitter {
     }
   }
 
-  private KickFit searched(FitProblem problem, KickKind kind, long seed) {
+  private KickFit started(
+      FitProblem problem,
+      KickKind kind,
+      long seed,
+      BiFunction<FlightFitter, List<double[]>, KickFit> how) {
     Kick kick = problem.kick();
     FlightData data = FlightData.of(kick.observations(), problem.cameras());
     int after = 0;
@@ -214,7 +236,7 @@ public final class KickFitter {
     List<Parameter> model = kind == KickKind.FLAT ? problem.flat() : problem.chip();
     List<Parameter> parameters = FlightLayout.parameters(kind, starts.get(0), model);
     FlightFitter fitter = new FlightFitter(problem, kind, data, parameters, settings, seed);
-    return fitter.fit(starts);
+    return how.apply(fitter, starts);
   }
 
   /**

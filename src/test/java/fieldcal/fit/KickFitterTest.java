@@ -351,6 +351,34 @@ class KickFitterTest {
     }
   }
 
+  /** What pulls a ball aside late bends the path of its last bounces and of its rolling, and tells nothing of the kick. */
+  @ParameterizedTest
+  @EnumSource(KickKind.class)
+  void aBallThatIsPulledAsideLateKeepsItsKind(KickKind kind) {
+    KickFitter fitter = new KickFitter(FitSettings.defaults());
+    for (int id = 1; id <= 10; id++) {
+      IdealKicks.Sample s = source.draw(kind, id, CLEAN, random.split());
+      double from = s.kick().time() + 1.4;
+      Kick pulled = pulled(s.kick(), from, 0.15);
+      assertThat(pulled.endTime()).as("rolls long enough").isGreaterThan(from + 0.5);
+      FitProblem problem = problem(s, pulled);
+      assertThat(fit(problem, kind).statistics().explained()).isFalse();
+      assertThat(fitter.fit(problem).kind()).as("kick %d", id).isEqualTo(kind);
+    }
+  }
+
+  /** A kick whose ball is accelerated along y, in m/s², from a time on. */
+  private static Kick pulled(Kick kick, double from, double acceleration) {
+    Observations o = kick.observations();
+    Observations.Builder builder = new Observations.Builder();
+    for (int i = 0; i < o.size(); i++) {
+      double since = Math.max(0, o.time(i) - from);
+      double y = o.y(i) + 0.5 * acceleration * since * since;
+      builder.add(o.time(i), o.camera(i), o.x(i), y, o.pixelX(i), o.pixelY(i));
+    }
+    return FitSupport.with(kick, kick.fromRest(), builder.build());
+  }
+
   @ParameterizedTest
   @EnumSource(KickKind.class)
   void withoutRestBeforeTheTimeIsTiedToWhereItWasFound(KickKind kind) {
