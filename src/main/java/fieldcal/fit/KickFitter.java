@@ -58,7 +58,7 @@ public final class KickFitter {
   }
 
   /**
-   * Fits a flat kick and, where that does not explain the detections, a chip, and decides between the two. Takes some 10 to 100 ms. Never throws on what a recording holds.
+   * Fits a flat kick and, where that explains neither all detections nor those of the first 1.2 s, a chip, and decides between the two. Takes some 10 to 100 ms. Never throws on what a recording holds.
    *
    * @param problem kick, cameras and models
    * @return the better fit; when both fail, the flat one with its {@link KickFit#failure}. When no camera that saw the kick has a known geometry, no chip can be fitted, and a kick that the flat model does not explain fails

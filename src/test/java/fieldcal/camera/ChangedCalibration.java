@@ -1,29 +1,34 @@
 package fieldcal.camera;
 
-/** Calibrations with some values that cannot be. */
+/** Calibrations with some other values, also such as cannot be. */
 public final class ChangedCalibration {
   private ChangedCalibration() {}
 
+  /** The same with another focal length, pixels. */
+  public static CameraCalibration withFocalLength(CameraCalibration c, double focalLength) {
+    return with(c, focalLength, c.distortion(), c.tz(), c.derivedWorldX(), c.derivedWorldZ());
+  }
+
   /** The same with another lens. */
   public static CameraCalibration withDistortion(CameraCalibration c, double distortion) {
-    return with(c, distortion, c.tz(), c.derivedWorldX(), c.derivedWorldZ());
+    return with(c, c.focalLength(), distortion, c.tz(), c.derivedWorldX(), c.derivedWorldZ());
   }
 
   /** The same with another published x, m. */
   public static CameraCalibration withWorldX(CameraCalibration c, double x) {
-    return with(c, c.distortion(), c.tz(), x, c.derivedWorldZ());
+    return with(c, c.focalLength(), c.distortion(), c.tz(), x, c.derivedWorldZ());
   }
 
   /** The same that hangs at another height, m, above the field's centre line, by its pose and by its published position. */
   public static CameraCalibration withHeight(CameraCalibration c, double height) {
-    return with(c, c.distortion(), height, 0, height);
+    return with(c, c.focalLength(), c.distortion(), height, 0, height);
   }
 
   private static CameraCalibration with(
-      CameraCalibration c, double distortion, double tz, double x, double z) {
+      CameraCalibration c, double focalLength, double distortion, double tz, double x, double z) {
     return new CameraCalibration(
         c.id(),
-        c.focalLength(),
+        focalLength,
         c.principalPointX(),
         c.principalPointY(),
         distortion,

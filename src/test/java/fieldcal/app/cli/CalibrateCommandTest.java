@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.calibrate.InitialModels;
+import fieldcal.camera.ChangedCalibration;
 import fieldcal.vision.BallModels;
 import fieldcal.vision.VisionPacket;
 import java.io.IOException;
@@ -538,26 +539,7 @@ class CalibrateCommandTest {
 
   private static List<fieldcal.camera.CameraCalibration> moved(VisionPacket packet) {
     return packet.geometry().orElseThrow().cameras().stream()
-        .map(
-            c ->
-                new fieldcal.camera.CameraCalibration(
-                    c.id(),
-                    c.focalLength() + 1,
-                    c.principalPointX(),
-                    c.principalPointY(),
-                    c.distortion(),
-                    c.q0(),
-                    c.q1(),
-                    c.q2(),
-                    c.q3(),
-                    c.tx(),
-                    c.ty(),
-                    c.tz(),
-                    c.derivedWorldX(),
-                    c.derivedWorldY(),
-                    c.derivedWorldZ(),
-                    c.imageWidth(),
-                    c.imageHeight()))
+        .map(c -> ChangedCalibration.withFocalLength(c, c.focalLength() + 1))
         .toList();
   }
 }
