@@ -77,6 +77,7 @@ class RecordedEffectsTest {
 
   /** The simulator publishes its cameras at another place than it sees from, which flights alone show; the height of bounces scatters, and is no spin. */
   @Test
+  @Tag("study")
   void theSameOffsetIsFoundInItsChips() throws IOException {
     // Its law of bounces is none of ours: a search without a limit describes the rest for minutes.
     Diagnosis diagnosis =

@@ -386,6 +386,7 @@ class UnnamedCauseTest {
   }
 
   @Test
+  @Tag("study")
   void moundsAreNoSlope() {
     Diagnosis diagnosis =
         diagnosed(
