@@ -14,17 +14,19 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Wall time of calibrating the two recordings of test-data, the files of --out included: in this process, first and warm, and as
+ * Wall time of {@code --help}, of calibrating 60 simulated kicks, and of calibrating the two recordings of test-data, the files of --out included: in this process, first and warm, and as
  * the operator has it, a process of its own.
  */
 final class CalibrateBenchmark {
   private static final Goal SECONDS = Goal.atMost(6, "%.0f s");
+  private static final Goal SIXTY = Goal.atMost(2, "%.0f s");
+  private static final Goal HELP = Goal.atMost(0.25, "%.2f s");
   private static final List<String> LOGS =
       List.of("test-data/erforce-flat.log.gz", "test-data/erforce-chip.log.gz");
 
   private CalibrateBenchmark() {}
 
-  static void run(BenchmarkSettings settings, PrintStream out) throws Exception {
+  static void run(BenchmarkSettings settings, PrintStream out, Findings findings) throws Exception {
     Path project = Path.of(System.getProperty("fieldcal.projectDir", ".")).toAbsolutePath();
     try (Scratch scratch = new Scratch("calibrate-benchmark")) {
       Path directory = scratch.path();
@@ -42,6 +44,38 @@ final class CalibrateBenchmark {
       }
       out.printf("%-40s %9s %9s %9s %8s  %s%n", "", "fastest", "median", "slowest", "goal", "");
       print(out, "./fieldcal calibrate, fresh process", fresh, true);
+      findings.value(
+          "`./fieldcal calibrate` of the two ER-Force recordings, median",
+          "%.2f s",
+          median(fresh),
+          SECONDS);
+      double[] sixty = new double[settings.runs()];
+      double[] help = new double[settings.runs()];
+      Path log = directory.resolve("sixty.log.gz");
+      FieldcalProcess.run(
+          project,
+          List.of(
+              "simulate",
+              "--scenario=mixed",
+              "--kicks=60",
+              "--seed=" + settings.seed(),
+              "--out=" + log));
+      for (int run = 0; run < sixty.length; run++) {
+        help[run] = FieldcalProcess.run(project, List.of("--help")).seconds();
+        sixty[run] =
+            FieldcalProcess.run(
+                    project,
+                    List.of("calibrate", log.toString(), "--out=" + directory.resolve("sixty")))
+                .seconds();
+      }
+      print(out, "./fieldcal calibrate, 60 kicks", sixty, false);
+      print(out, "./fieldcal --help", help, false);
+      findings.value(
+          "`./fieldcal calibrate` of a recording of 60 kicks, files included, median",
+          "%.2f s",
+          median(sixty),
+          SIXTY);
+      findings.value("`./fieldcal --help`, median", "%.2f s", median(help), HELP);
       print(out, "in this process, first", Arrays.copyOf(here, 1), false);
       print(out, "in this process, warm", Arrays.copyOfRange(here, 1, here.length), false);
     }
@@ -59,10 +93,16 @@ final class CalibrateBenchmark {
     return (System.nanoTime() - before) * 1e-9;
   }
 
+  private static double median(double[] seconds) {
+    double[] sorted = seconds.clone();
+    Arrays.sort(sorted);
+    return sorted[sorted.length / 2];
+  }
+
   private static void print(PrintStream out, String what, double[] seconds, boolean judged) {
     double[] sorted = seconds.clone();
     Arrays.sort(sorted);
-    double median = sorted[sorted.length / 2];
+    double median = median(seconds);
     out.printf(
         Locale.ROOT,
         "%-40s %7.2f s %7.2f s %7.2f s %8s  %s%n",

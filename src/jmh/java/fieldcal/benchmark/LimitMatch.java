@@ -26,7 +26,7 @@ final class LimitMatch {
   /** What calibrations and lenses enlarge by, in parts, at most: a camera of 5 m that hangs 5 mm elsewhere than published. */
   private static final double ENLARGED = 0.001;
 
-  /** Robots of one team differ by one per cent (standard deviation), as those of the independent generator of docs/benchmarks.md do … */
+  /** Robots of one team differ by one per cent (standard deviation), as those of the independent generator of docs/studies.md do … */
   private static final double DIFFERENCE = 0.01;
 
   /** … and their acceleration changes within up to that time, s, as there. */

@@ -78,6 +78,20 @@ final class LimitScore {
         NEAR.verdict((double) ownNear / own.size()));
   }
 
+  void tell(Findings findings) {
+    findings.value(
+        name + ": teams within 5 % or 0.1 of the truth, of " + own.size(),
+        "%.0f",
+        ownNear,
+        Goal.atLeast(own.size(), "%.0f"));
+    int trials = Math.max(1, reached);
+    findings.value(name + ": mean error", "%.2f %%", Math.abs(100 * deviations / trials), UNBIASED);
+    String within = name + ": within two standard errors";
+    findings.share(within, covered, reached, ShareGoal.atLeast(COVERED.lowest() / 100));
+    findings.share(within, covered, reached, ShareGoal.atMost(COVERED.highest() / 100));
+    findings.value(name + ": false lower bounds", "%.0f", falseBounds, NEVER_FALSE);
+  }
+
   void printErrors(PrintStream out) {
     double bias = 100 * deviations / Math.max(1, reached);
     int trials = Math.max(1, reached);

@@ -58,11 +58,11 @@ final class LimitsBenchmark {
     this.out = out;
   }
 
-  static void run(BenchmarkSettings settings, PrintStream out) {
-    new LimitsBenchmark(settings, out).run();
+  static void run(BenchmarkSettings settings, PrintStream out, Findings findings) {
+    new LimitsBenchmark(settings, out).run(findings);
   }
 
-  private void run() {
+  private void run(Findings findings) {
     out.printf(
         Locale.ROOT,
         "%d-minute matches; own estimate (error), league's (error)%n",
@@ -81,6 +81,13 @@ final class LimitsBenchmark {
       }
     }
     summary();
+    for (LimitScore score : List.of(velocity, acceleration, braking)) {
+      score.tell(findings);
+    }
+    Goal none = Goal.atMost(0, "%.0f");
+    findings.value("effects invented", "%.0f", inventedNames, none);
+    findings.share("effects named", rightNames, rightNames + missedNames);
+    findings.value("a frame, p99", "%.2f ms", costs.percentile(0.99), Goal.atMost(2, "%.0f ms"));
   }
 
   private static RobotLimits limits(double[] numbers) {

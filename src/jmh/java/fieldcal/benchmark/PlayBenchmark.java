@@ -23,6 +23,7 @@ import java.io.PrintStream;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.SplittableRandom;
@@ -92,7 +93,8 @@ final class PlayBenchmark {
     }
   }
 
-  static void run(BenchmarkSettings settings, PrintStream out) throws IOException {
+  static void run(BenchmarkSettings settings, PrintStream out, Findings findings)
+      throws IOException {
     int plays = PLAYS_PER_RUN * settings.runs();
     Map<String, Integer> reasons = new TreeMap<>();
     int well = 0;
@@ -175,6 +177,22 @@ final class PlayBenchmark {
     out.printf(
         "field time: median %.0f s, 95 %% within %.0f s, longest %.0f s%n",
         times[plays / 2], times[(int) (0.95 * (plays - 1))], times[plays - 1]);
+    new Tally(plays, well, hangs, hurt, outside).tell(findings, starts, times);
+  }
+
+  /** How many plays, and what happened in them. */
+  private record Tally(int plays, int well, int hangs, int hurt, int outside) {
+    void tell(Findings findings, double[] starts, double[] times) {
+      Goal none = Goal.atMost(0, "%.0f");
+      findings.share("plays that ended with all kicks", well, plays, ShareGoal.atLeast(0.98));
+      findings.value("plays with a contact above 0.1 m/s, of " + plays, "%.0f", hurt, none);
+      findings.value("plays with a robot outside the margin", "%.0f", outside, none);
+      findings.value("plays that hang", "%.0f", hangs, none);
+      findings.value("first kick, median", "%.1f s", starts[plays / 2], Goal.atMost(15, "%.0f s"));
+      findings.value(
+          "first kick, last", "%.1f s", starts[plays - 1], Goal.atMost(LATEST_START, "%.0f s"));
+      findings.note("field time, median", String.format(Locale.ROOT, "%.0f s", times[plays / 2]));
+    }
   }
 
   /** How long a play took from the last moment at which something began or ended to go wrong until the first kick, s. */

@@ -24,6 +24,7 @@ import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -111,6 +112,14 @@ final class PlayCalibrationBenchmark {
       return (int) errors.stream().filter(e -> Math.abs(e) <= sigmas).count();
     }
 
+    void tell(String what, Findings findings) {
+      List<Double> all = byName.values().stream().flatMap(List::stream).toList();
+      String name = what + ": parameters within %s standard errors";
+      int three = within(all, 3);
+      findings.share(name.formatted("three"), three, all.size(), ShareGoal.atLeast(0.98));
+      findings.share(name.formatted("two"), within(all, 2), all.size(), ShareGoal.atLeast(0.92));
+    }
+
     void print(String what, PrintStream out) {
       out.printf("%s: error in its standard errors%n", what);
       out.printf(
@@ -139,15 +148,17 @@ final class PlayCalibrationBenchmark {
     }
   }
 
-  static void run(BenchmarkSettings settings, PrintStream out) throws IOException {
+  static void run(BenchmarkSettings settings, PrintStream out, Findings findings)
+      throws IOException {
     int fields = FIELDS_PER_RUN * settings.runs();
     for (Condition condition : Condition.values()) {
       out.printf("%n%s, %d fields%n", condition.text, fields);
-      run(condition, fields, 7000 + 1000 * settings.seed(), out);
+      run(condition, fields, 7000 + 1000 * settings.seed(), out, findings);
     }
   }
 
-  private static void run(Condition condition, int fields, long firstSeed, PrintStream out)
+  private static void run(
+      Condition condition, int fields, long firstSeed, PrintStream out, Findings findings)
       throws IOException {
     double[] times = new double[fields];
     Errors means = new Errors();
@@ -171,6 +182,9 @@ final class PlayCalibrationBenchmark {
     out.printf("sessions not completed: %d of %d%n", incomplete, 2 * fields);
     means.print("mean of the kicks", out);
     joints.print("joint fit", out);
+    means.tell(condition.name().toLowerCase(Locale.ROOT).replace('_', ' ') + ", mean", findings);
+    joints.tell(
+        condition.name().toLowerCase(Locale.ROOT).replace('_', ' ') + ", joint fit", findings);
     printTimes(times, out);
   }
 

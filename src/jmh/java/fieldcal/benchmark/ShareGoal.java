@@ -50,7 +50,27 @@ public record ShareGoal(double limit, boolean atLeast) {
     return excluded ? "NOT met" : "NOT met, within its error";
   }
 
-  private static double[] range(int count, int of) {
+  /** The verdict on a count, for a table. */
+  Findings.Verdict decide(int count, int of) {
+    double[] range = range(count, of);
+    if (of == 0) {
+      return Findings.Verdict.OPEN;
+    }
+    if (atLeast ? range[0] >= limit : range[1] <= limit) {
+      return Findings.Verdict.MET;
+    }
+    boolean excluded = atLeast ? range[1] < limit : range[0] > limit;
+    return excluded ? Findings.Verdict.MISSED : Findings.Verdict.OPEN;
+  }
+
+  @Override
+  public String toString() {
+    String percent = String.format(Locale.ROOT, "%.1f", 100 * limit).replaceFirst("\\.0$", "");
+    return (atLeast ? "≥ " : "≤ ") + percent + " %";
+  }
+
+  /** The shares that so few cases leave possible, 95 %. */
+  static double[] range(int count, int of) {
     if (of == 0) {
       return new double[] {0, 1};
     }

@@ -1,5 +1,7 @@
 package fieldcal.diagnosis;
 
+import fieldcal.benchmark.BenchmarkSettings;
+import fieldcal.benchmark.Findings;
 import fieldcal.diagnosis.hidden.FrozenCases;
 import fieldcal.diagnosis.hidden.HiddenCase;
 import fieldcal.diagnosis.hidden.StudiedCase;
@@ -44,6 +46,9 @@ public final class HiddenEffectStudy {
       """;
 
   private static final long SEEDS = 1_000_000;
+
+  /** Of a study as one of the benchmarks. */
+  private static final int CASES_PER_RUN = 12;
 
   private HiddenEffectStudy() {}
 
@@ -99,6 +104,24 @@ public final class HiddenEffectStudy {
     if (!options.classes) {
       new StudySummary(results).print(out);
     }
+  }
+
+  /**
+   * Diagnoses twelve cases per run, two at a time.
+   *
+   * @param settings runs and seed
+   * @param out told each case and the summary
+   * @param findings the rates that have goals
+   * @throws Exception when it is interrupted
+   */
+  public static void run(BenchmarkSettings settings, PrintStream out, Findings findings)
+      throws Exception {
+    Options options = new Options();
+    options.cases = CASES_PER_RUN * settings.runs();
+    options.seed = settings.seed();
+    StudySummary summary = new StudySummary(run(options, out));
+    summary.print(out);
+    summary.tell(findings);
   }
 
   private static Options parse(String[] args) {

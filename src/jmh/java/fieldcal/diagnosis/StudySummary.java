@@ -1,6 +1,8 @@
 package fieldcal.diagnosis;
 
+import fieldcal.benchmark.Findings;
 import fieldcal.benchmark.Goal;
+import fieldcal.benchmark.ShareGoal;
 import java.io.PrintStream;
 import java.util.Comparator;
 import java.util.List;
@@ -29,6 +31,9 @@ final class StudySummary {
 
   private static final double PERCENT = 15;
 
+  /** Which of the times of a case that is. */
+  private static final int DIAGNOSIS = 2;
+
   private final List<CaseRow> cases;
 
   StudySummary(List<CaseRow> cases) {
@@ -43,9 +48,54 @@ final class StudySummary {
     out.printf("%n== Times of a case, s ==%n");
     times(out, "simulation", 0);
     times(out, "calibration", 1);
-    times(out, "diagnosis", 2);
+    times(out, "diagnosis", DIAGNOSIS);
     out.printf("%n== Cases that are not as they should be ==%n");
     cases.stream().filter(c -> !c.expected()).map(CaseRow::text).forEach(out::println);
+  }
+
+  /** The rates whose goals the studies state, for so few cases as a page has. */
+  void tell(Findings findings) {
+    List<CaseRow> clear = group("clear");
+    List<CaseRow> marginal = group("marginal");
+    List<CaseRow> nulls = group("null");
+    List<CaseRow> unnamed = group("unnamed").stream().filter(CaseRow::shown).toList();
+    List<CaseRow> several = cases.stream().filter(c -> c.group().matches("pair|mixture")).toList();
+    List<CaseRow> fitted = several.stream().filter(c -> !Double.isNaN(c.rmsAfter())).toList();
+    List<Double> scores = cases.stream().flatMap(c -> c.scores().stream()).toList();
+    share(findings, "clear single causes, right name", clear, CaseRow::right, true, 0.99);
+    share(findings, "… wrong name", clear, c -> c.wrong() > 0, false, 0.005);
+    share(findings, "marginal single causes, right name", marginal, CaseRow::right, true, 0.93);
+    share(findings, "… wrong name", marginal, c -> c.wrong() > 0, false, 0.02);
+    String alarm = "nothing hidden, something found or called unexplained";
+    share(findings, alarm, nulls, c -> !c.right(), false, 0.005);
+    String noise = "several causes, held-out kicks within 10 % of the noise";
+    share(findings, noise, fitted, c -> c.rmsAfter() <= FLOOR, true, 0.9);
+    share(findings, "in no catalogue, a wrong name", unnamed, c -> c.wrong() > 0, false, 0.03);
+    String sizes = "sizes within two of their standard errors";
+    share(findings, sizes, scores, s -> s <= SCORE, true, 0.92);
+    share(findings, sizes, scores, s -> s <= SCORE, false, 0.98);
+    double[] times =
+        cases.stream()
+            .filter(c -> !c.failed())
+            .mapToDouble(CaseRow.timeOf(DIAGNOSIS))
+            .sorted()
+            .toArray();
+    if (times.length > 0) {
+      findings.value(
+          "time of a diagnosis, one core, median",
+          "%.1f s",
+          times[times.length / 2],
+          Goal.atMost(5, "%.0f s"));
+      findings.note(
+          "time of a diagnosis, longest",
+          String.format(Locale.ROOT, "%.0f s", times[times.length - 1]));
+    }
+  }
+
+  private static <T> void share(
+      Findings findings, String what, List<T> of, Predicate<T> test, boolean least, double limit) {
+    int count = (int) of.stream().filter(test).count();
+    findings.share(what, count, of.size(), new ShareGoal(limit, least));
   }
 
   /** One line for each hidden effect and group; most of a square table would be empty. */

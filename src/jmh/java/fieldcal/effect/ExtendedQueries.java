@@ -1,6 +1,7 @@
 package fieldcal.effect;
 
 import fieldcal.benchmark.BenchmarkSettings;
+import fieldcal.benchmark.Findings;
 import fieldcal.benchmark.Goal;
 import java.io.PrintStream;
 import java.util.Collection;
@@ -23,9 +24,11 @@ public final class ExtendedQueries {
    *
    * @param settings not used: the micro benchmarks have their own
    * @param out for people
+   * @param findings the numbers with a goal
    * @throws RunnerException when JMH cannot run
    */
-  public static void run(BenchmarkSettings settings, PrintStream out) throws RunnerException {
+  public static void run(BenchmarkSettings settings, PrintStream out, Findings findings)
+      throws RunnerException {
     Collection<RunResult> results =
         new Runner(
                 new OptionsBuilder()
@@ -48,6 +51,13 @@ public final class ExtendedQueries {
           bytes,
           NANOSECONDS,
           NANOSECONDS.verdict(time));
+      String what = "a path with three effects, %s: %s";
+      findings.value(
+          what.formatted(
+              result.getParams().getParam("kick"), name.substring(name.lastIndexOf('.') + 1)),
+          "%.0f ns",
+          time,
+          NANOSECONDS);
     }
   }
 }

@@ -1,10 +1,12 @@
 package fieldcal.fit;
 
 import fieldcal.benchmark.BenchmarkSettings;
+import fieldcal.benchmark.Findings;
 import fieldcal.benchmark.Goal;
 import fieldcal.kick.KickKind;
 import java.io.PrintStream;
 import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
@@ -46,6 +48,11 @@ public final class FitAccuracy {
       return String.format(
           Locale.ROOT, "%s, %.1f mm, %s", kind.id(), 1000 * noise, condition.label);
     }
+
+    double medianError() {
+      double[] rmse = scores.stream().mapToDouble(ParameterScore::rmse).sorted().toArray();
+      return 0.5 * (rmse[(rmse.length - 1) / 2] + rmse[rmse.length / 2]);
+    }
   }
 
   /**
@@ -53,8 +60,9 @@ public final class FitAccuracy {
    *
    * @param settings number of kicks and seed
    * @param out where to
+   * @param findings the numbers with a goal
    */
-  public static void run(BenchmarkSettings settings, PrintStream out) {
+  public static void run(BenchmarkSettings settings, PrintStream out, Findings findings) {
     out.printf(
         Locale.ROOT,
         "%d kicks per block; sampling error: RMSE/bound %.1f %%, bias %.3f, 68 %%: %.1f %%,"
@@ -74,6 +82,54 @@ public final class FitAccuracy {
       }
     }
     summary(blocks, out);
+    List<Block> clean = blocks.stream().filter(b -> b.condition() == Condition.CLEAN).toList();
+    List<Block> disturbed = blocks.stream().filter(b -> !clean.contains(b)).toList();
+    errors("", clean, settings.kicks(), findings);
+    errors(", 5 % outliers or 30 % of the frames lost", disturbed, settings.kicks(), findings);
+    coverage(blocks, settings.kicks(), findings);
+  }
+
+  private static void errors(String when, List<Block> blocks, int kicks, Findings findings) {
+    double error = Math.sqrt(0.5 / kicks);
+    Condition condition = blocks.get(0).condition();
+    double median = blocks.stream().mapToDouble(Block::medianError).max().orElseThrow();
+    double worst =
+        blocks.stream()
+            .flatMap(b -> b.scores().stream())
+            .mapToDouble(ParameterScore::rmse)
+            .max()
+            .orElseThrow();
+    String what = "RMSE over the Cramér–Rao bound" + when;
+    findings.extreme(
+        what + ": highest median of the parameters", "%.3f", median, error, condition.median);
+    findings.extreme(what + ": worst parameter", "%.3f", worst, error, condition.worst);
+  }
+
+  private static void coverage(List<Block> blocks, int kicks, Findings findings) {
+    List<ParameterScore> all = blocks.stream().flatMap(b -> b.scores().stream()).toList();
+    DoubleSummaryStatistics bias =
+        all.stream().mapToDouble(s -> Math.abs(s.bias())).summaryStatistics();
+    findings.extreme(
+        "bias over the bound, largest",
+        "%.3f",
+        bias.getMax(),
+        Math.sqrt(1.0 / kicks),
+        ParameterScore.BIAS);
+    DoubleSummaryStatistics one =
+        all.stream().mapToDouble(ParameterScore::in68).summaryStatistics();
+    DoubleSummaryStatistics two =
+        all.stream().mapToDouble(ParameterScore::in95).summaryStatistics();
+    double error = 100 * Math.sqrt(0.68 * 0.32 / kicks);
+    String within = "truth within %s, %s, %%";
+    String name = within.formatted("one standard error", "lowest");
+    findings.extreme(name, "%.1f", one.getMin(), error, ParameterScore.COVERAGE_68);
+    name = within.formatted("one standard error", "highest");
+    findings.extreme(name, "%.1f", one.getMax(), error, ParameterScore.COVERAGE_68);
+    error = 100 * Math.sqrt(0.95 * 0.05 / kicks);
+    name = within.formatted("1.96 standard errors", "lowest");
+    findings.extreme(name, "%.1f", two.getMin(), error, ParameterScore.COVERAGE_95);
+    name = within.formatted("1.96 standard errors", "highest");
+    findings.extreme(name, "%.1f", two.getMax(), error, ParameterScore.COVERAGE_95);
   }
 
   private static Block block(
@@ -111,7 +167,7 @@ public final class FitAccuracy {
       double[] in68 = block.scores.stream().mapToDouble(ParameterScore::in68).sorted().toArray();
       double[] in95 = block.scores.stream().mapToDouble(ParameterScore::in95).sorted().toArray();
       int last = rmse.length - 1;
-      double median = 0.5 * (rmse[last / 2] + rmse[rmse.length / 2]);
+      double median = block.medianError();
       boolean good =
           block.condition.median.met(median)
               && block.scores.stream().allMatch(s -> s.meets(block.condition.worst));

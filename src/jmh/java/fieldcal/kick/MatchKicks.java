@@ -3,7 +3,9 @@ package fieldcal.kick;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.benchmark.BenchmarkSettings;
+import fieldcal.benchmark.Findings;
 import fieldcal.benchmark.Goal;
+import fieldcal.benchmark.ShareGoal;
 import fieldcal.camera.Camera;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.CameraViews;
@@ -44,8 +46,9 @@ public final class MatchKicks {
    *
    * @param settings seed, number and length of the matches
    * @param out where to
+   * @param findings the numbers with a goal
    */
-  public static void run(BenchmarkSettings settings, PrintStream out) {
+  public static void run(BenchmarkSettings settings, PrintStream out, Findings findings) {
     KickJudge judge = new KickJudge();
     Map<String, Integer> kinds = new TreeMap<>();
     double seconds = 0;
@@ -80,6 +83,13 @@ public final class MatchKicks {
     goal(out, "ends right", 100.0 * judge.rightEnds() / judge.judgedEnds(), ENDS);
     goal(out, "kinds right", rightKinds(kinds), KINDS);
     goal(out, "times real time", covered / seconds, SPEED);
+    findings.share("kicks found", judge.found(), judge.counted(), ShareGoal.atLeast(0.95));
+    findings.share("kicks invented", judge.invented(), judge.counted(), ShareGoal.atMost(0.02));
+    findings.share("ends right", judge.rightEnds(), judge.judgedEnds(), ShareGoal.atLeast(0.9));
+    int[] right = kindsRight(kinds);
+    findings.share("flat or chip decided correctly", right[0], right[1], ShareGoal.atLeast(0.95));
+    findings.share("11 against 11: found", large[1], large[0], ShareGoal.atLeast(0.95));
+    findings.value("finding kicks, times real time", "%.0f", covered / seconds, SPEED);
   }
 
   private static int[] counts(KickJudge judge) {
@@ -113,12 +123,17 @@ public final class MatchKicks {
   }
 
   private static double rightKinds(Map<String, Integer> kinds) {
+    int[] counts = kindsRight(kinds);
+    return 100.0 * counts[0] / counts[1];
+  }
+
+  private static int[] kindsRight(Map<String, Integer> kinds) {
     int all = 0;
     int right = 0;
     for (Map.Entry<String, Integer> e : kinds.entrySet()) {
       all += e.getValue();
       right += e.getKey().matches("(\\w+) is called \\1") ? e.getValue() : 0;
     }
-    return 100.0 * right / all;
+    return new int[] {right, all};
   }
 }

@@ -1,6 +1,7 @@
 package fieldcal.live;
 
 import fieldcal.benchmark.BenchmarkSettings;
+import fieldcal.benchmark.Findings;
 import fieldcal.benchmark.Goal;
 import fieldcal.simulation.Preset;
 import java.io.PrintStream;
@@ -24,8 +25,9 @@ public final class ReplayBenchmark {
    *
    * @param settings minutes, seed
    * @param out gets the numbers
+   * @param findings those with a goal
    */
-  public static void run(BenchmarkSettings settings, PrintStream out) {
+  public static void run(BenchmarkSettings settings, PrintStream out, Findings findings) {
     long seed = 1000 * settings.seed();
     double minutes = settings.minutes();
     List<SimulatedMatch> matches = new ArrayList<>();
@@ -60,6 +62,11 @@ public final class ReplayBenchmark {
         FAST,
         FAST.verdict(duration / all),
         each);
+    findings.value(
+        "replay of six matches with fits and limits, per core, times real time",
+        "%.0f",
+        duration / all,
+        FAST);
   }
 
   /** Time of this thread alone: what others do on the machine counts little. */

@@ -3,6 +3,7 @@ package fieldcal.live;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.benchmark.BenchmarkSettings;
+import fieldcal.benchmark.Findings;
 import fieldcal.benchmark.Goal;
 import fieldcal.simulation.Preset;
 import fieldcal.vision.BallModels;
@@ -34,8 +35,10 @@ public final class WarningBenchmark {
 
   private final BenchmarkSettings settings;
   private final PrintStream out;
+  private final Findings findings;
 
-  private WarningBenchmark(BenchmarkSettings settings, PrintStream out) {
+  private WarningBenchmark(BenchmarkSettings settings, PrintStream out, Findings findings) {
+    this.findings = findings;
     this.settings = settings;
     this.out = out;
   }
@@ -51,9 +54,10 @@ public final class WarningBenchmark {
    *
    * @param settings matches per run, minutes, seed
    * @param out gets the numbers
+   * @param findings those of the page
    */
-  public static void run(BenchmarkSettings settings, PrintStream out) {
-    new WarningBenchmark(settings, out).run();
+  public static void run(BenchmarkSettings settings, PrintStream out, Findings findings) {
+    new WarningBenchmark(settings, out, findings).run();
   }
 
   private void run() {
@@ -140,6 +144,11 @@ public final class WarningBenchmark {
     out.printf(
         "nothing wrong: false warnings %d (31 samples alone: %d)  (%s)  %s%n",
         early, late, none, none.verdict(early));
+    findings.value(
+        "false warnings in %d matches whose published model is right".formatted(matches.size()),
+        "%.0f",
+        early,
+        none);
   }
 
   private void wrong(List<Match> matches, List<BallParameter> candidates, String name) {
@@ -181,6 +190,10 @@ public final class WarningBenchmark {
         never,
         earlier,
         soon.verdict(median(after)));
+    findings.note(
+        "published " + name + " 25 to 50 % off: warned about after (median, worst, never)",
+        "%s, %s; in %d of %d matches"
+            .formatted(seconds(median(after)), seconds(worst(after)), never, matches.size()));
   }
 
   /** How many samples a match has, and how many of these certainly without spin; of all, and of those that were never warned about. */

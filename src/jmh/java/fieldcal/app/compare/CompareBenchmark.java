@@ -8,6 +8,8 @@ import fieldcal.app.simulation.RecordingFiles;
 import fieldcal.app.wording.EffectName;
 import fieldcal.benchmark.BenchmarkSettings;
 import fieldcal.benchmark.CpuTime;
+import fieldcal.benchmark.Findings;
+import fieldcal.benchmark.Goal;
 import fieldcal.benchmark.Scratch;
 import fieldcal.benchmark.ShareGoal;
 import fieldcal.diagnosis.Diagnosis;
@@ -59,14 +61,17 @@ public final class CompareBenchmark {
    *
    * @param settings runs and seed
    * @param out where to
+   * @param findings the numbers of the page
    * @throws IOException when a recording cannot be written
    */
-  public static void run(BenchmarkSettings settings, PrintStream out) throws IOException {
+  public static void run(BenchmarkSettings settings, PrintStream out, Findings findings)
+      throws IOException {
     CompareBenchmark benchmark = new CompareBenchmark(out);
     for (int i = 0; i < PAIRS_PER_RUN * settings.runs(); i++) {
       benchmark.pair(i, DrawnPair.of(settings.seed(), i));
     }
     benchmark.summary();
+    benchmark.tell(findings);
   }
 
   private void pair(int index, DrawnPair pair) throws IOException {
@@ -222,6 +227,18 @@ public final class CompareBenchmark {
         }
       }
     }
+  }
+
+  private void tell(Findings findings) {
+    findings.share("differences named", named, drawn, NAMED);
+    findings.share("of these named: not there", invented, named + invented, INVENTED);
+    findings.share(
+        "share of the prediction error within 15 % of the true one", close, shares, SHARES);
+    findings.value(
+        "pairs without a difference that have one named, of " + alike,
+        "%.0f",
+        alikeInvented,
+        Goal.atMost(0, "%.0f"));
   }
 
   private void summary() {

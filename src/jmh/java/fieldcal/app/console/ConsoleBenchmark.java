@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.sun.management.OperatingSystemMXBean;
 import fieldcal.app.cli.Main;
 import fieldcal.benchmark.BenchmarkSettings;
+import fieldcal.benchmark.Findings;
 import fieldcal.benchmark.Goal;
 import fieldcal.benchmark.Scratch;
 import java.io.IOException;
@@ -91,9 +92,11 @@ public final class ConsoleBenchmark {
    *
    * @param settings how much
    * @param out where to
+   * @param findings the numbers of the page
    * @throws IOException when a recording cannot be made
    */
-  public static void run(BenchmarkSettings settings, PrintStream out) throws IOException {
+  public static void run(BenchmarkSettings settings, PrintStream out, Findings findings)
+      throws IOException {
     try (Scratch scratch = new Scratch("fieldcal-console")) {
       Path session = Files.createDirectory(scratch.path().resolve("session"));
       record(session, settings.seed());
@@ -105,13 +108,13 @@ public final class ConsoleBenchmark {
           observations += kick.path("observations").asLong();
         }
         out.printf(Locale.ROOT, "%d kicks, %d observations%n", kicks.size(), observations);
-        open(console, browser, settings.runs(), out);
-        decide(browser, out);
+        open(console, browser, settings.runs(), out, findings);
+        decide(browser, out, findings);
         // What the decisions brought about is not what is measured next.
         browser.awaitGone("#refining");
         console.settled();
-        select(browser, out);
-        memory(out);
+        select(browser, out, findings);
+        memory(out, findings);
       }
     }
   }
@@ -135,7 +138,8 @@ public final class ConsoleBenchmark {
     }
   }
 
-  private static void open(RunningConsole console, Browser browser, int runs, PrintStream out) {
+  private static void open(
+      RunningConsole console, Browser browser, int runs, PrintStream out, Findings findings) {
     browser.command("Page.addScriptToEvaluateOnNewDocument", Map.of("source", WATCH_OPENING));
     browser.command("Performance.enable", Map.of("timeDomain", "threadTicks"));
     double[][] times = new double[4][runs];
@@ -154,18 +158,22 @@ public final class ConsoleBenchmark {
       times[2][i] = number(browser.script("return opening.kick"));
       times[3][i] = pageCpu(browser) - before;
     }
+    tell(findings, "page opened: until the table is there", times[0], USABLE);
+    tell(findings, "page opened: until all plots are there", times[2], USABLE);
     print(out, "page opened: the table is there, ms", times[0], USABLE);
     print(out, "  the model's plots", times[1], USABLE);
     print(out, "  the pictures of a kick", times[2], USABLE);
     print(out, "  processor time of the page, ms", times[3], null);
   }
 
-  private static void decide(Browser browser, PrintStream out) {
+  private static void decide(Browser browser, PrintStream out, Findings findings) {
     double[][] times = new double[5][CLICKS];
     for (int i = 0; i < CLICKS; i++) {
       String css = "#kicks tr[data-kick='" + (3 + 2 * i) + "'] button.use";
       measure(browser, css, times, i);
     }
+    tell(findings, "kick dropped by a click: until its row says so", times[0], ANSWER);
+    tell(findings, "kick dropped by a click: until the model's numbers are new", times[1], ANSWER);
     print(out, "kick dropped by a click: its row says so, ms", times[0], ANSWER);
     print(out, "  the model's numbers are new", times[1], ANSWER);
     print(out, "  everything is drawn", times[2], null);
@@ -184,7 +192,7 @@ public final class ConsoleBenchmark {
     times[4][i] = serverCpu() - server;
   }
 
-  private static void select(Browser browser, PrintStream out) {
+  private static void select(Browser browser, PrintStream out, Findings findings) {
     double[][] times = new double[4][CLICKS];
     for (int i = 0; i < CLICKS; i++) {
       double before = pageCpu(browser);
@@ -194,13 +202,16 @@ public final class ConsoleBenchmark {
       }
       times[3][i] = pageCpu(browser) - before;
     }
+    tell(findings, "kick selected by a click: until its numbers are there", times[0], ANSWER);
+    tell(findings, "kick selected by a click: until its path is there", times[1], ANSWER);
+    tell(findings, "kick selected by a click: until all its plots are there", times[2], ANSWER);
     print(out, "kick selected by a click: its row and its numbers, ms", times[0], ANSWER);
     print(out, "  its path on the field", times[1], ANSWER);
     print(out, "  all its pictures", times[2], ANSWER);
     print(out, "  processor time of the page, ms", times[3], null);
   }
 
-  private static void memory(PrintStream out) {
+  private static void memory(PrintStream out, Findings findings) {
     double before = heap();
     System.gc();
     out.printf(
@@ -211,6 +222,7 @@ public final class ConsoleBenchmark {
         heap(),
         MEMORY,
         MEMORY.verdict(heap()));
+    findings.value("heap after a collection", "%.0f MB", heap(), MEMORY);
   }
 
   private static double heap() {
@@ -235,6 +247,12 @@ public final class ConsoleBenchmark {
 
   private static double number(Object value) {
     return value instanceof Number n ? n.doubleValue() : Double.NaN;
+  }
+
+  private static void tell(Findings findings, String what, double[] values, Goal goal) {
+    double[] sorted = values.clone();
+    Arrays.sort(sorted);
+    findings.value(what + ", median, ms", "%.0f", sorted[sorted.length / 2], goal);
   }
 
   private static void print(PrintStream out, String what, double[] values, Goal goal) {

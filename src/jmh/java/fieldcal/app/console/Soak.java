@@ -8,6 +8,7 @@ import fieldcal.app.monitor.NetworkFeed;
 import fieldcal.app.net.LoopbackSender;
 import fieldcal.app.net.NetworkPlace;
 import fieldcal.benchmark.BenchmarkSettings;
+import fieldcal.benchmark.Findings;
 import fieldcal.benchmark.Goal;
 import fieldcal.benchmark.NetworkPlayBenchmark;
 import fieldcal.kick.KickFinder;
@@ -110,13 +111,15 @@ public final class Soak {
    *
    * @param settings minutes are those of the field; 480 are a day
    * @param out told each match and the verdict
+   * @param findings the numbers of the page
    * @throws Exception when something breaks
    */
-  public static void run(BenchmarkSettings settings, PrintStream out) throws Exception {
-    new Soak(settings, out).run();
+  public static void run(BenchmarkSettings settings, PrintStream out, Findings findings)
+      throws Exception {
+    new Soak(settings, out).run(findings);
   }
 
-  private void run() throws Exception {
+  private void run(Findings findings) throws Exception {
     Path folder = Files.createTempDirectory("fieldcal-soak");
     Path session = Files.createDirectories(folder.resolve("session"));
     SampleSession.copy(SampleSession.small(), session);
@@ -145,8 +148,8 @@ public final class Soak {
       out.printf(
           "the console was looked at %d times; %d plays over UDP ended with all kicks%n",
           looking.get(), playing.get());
-      judged.judge(feed.epoch(), out);
-      judge(held);
+      judged.judge(feed.epoch(), out, findings);
+      judge(held, findings);
     } finally {
       try (Stream<Path> all = Files.walk(folder)) {
         for (Path file : all.sorted(java.util.Comparator.reverseOrder()).toList()) {
@@ -189,7 +192,7 @@ public final class Soak {
   }
 
   /** Levels of the second half against the first: what grows does so match by match. */
-  private void judge(List<Held> held) {
+  private void judge(List<Held> held, Findings findings) {
     int middle = held.size() / 2;
     // The first match fills caches and starts threads.
     double early = median(held.subList(1, Math.max(2, middle)), Held::megabytes);
@@ -206,6 +209,9 @@ public final class Soak {
             - median(held.subList(1, Math.max(2, middle)), h -> h.files());
     Goal none = Goal.atMost(2, "%.0f");
     out.printf("threads more: %.0f, goal %s: %s%n", threads, none, none.verdict(threads));
+    findings.value("heap of the second half over that of the first", "%.2f", late / early, flat);
+    findings.value("more threads at the end", "%.0f", threads, none);
+    findings.value("more open files at the end", "%.0f", files, none);
     out.printf("open files more: %.0f, goal %s: %s%n", files, none, none.verdict(files));
   }
 

@@ -1,5 +1,6 @@
 package fieldcal.app.console;
 
+import fieldcal.benchmark.Findings;
 import fieldcal.benchmark.Goal;
 import fieldcal.camera.Camera;
 import fieldcal.kick.KickFinder;
@@ -59,7 +60,7 @@ final class SoakKicks {
   }
 
   /** A kick is lost that the monitor saw and did not report. Of a match of which frames got lost on their way, as on a machine that is late, nobody knows what it saw. */
-  void judge(Epoch epoch, PrintStream out) {
+  void judge(Epoch epoch, PrintStream out, Findings findings) {
     List<Double> times = reported.stream().map(epoch::seconds).toList();
     List<Match> whole = matches.stream().filter(m -> m.missing() <= 0).toList();
     long lost = whole.stream().mapToLong(m -> Math.max(0, m.kicks() - m.found(times))).sum();
@@ -72,5 +73,7 @@ final class SoakKicks {
     out.printf(
         "kicks lost, of the %d that were seen: %d, goal %s: %s%n",
         whole.stream().mapToInt(Match::kicks).sum(), lost, none, none.verdict(lost));
+    int seen = whole.stream().mapToInt(Match::kicks).sum();
+    findings.value("kicks lost, of %d that were seen".formatted(seen), "%.0f", lost, none);
   }
 }

@@ -8,6 +8,7 @@ import fieldcal.app.recording.LogOpener;
 import fieldcal.app.simulation.RecordingFiles;
 import fieldcal.benchmark.BenchmarkSettings;
 import fieldcal.benchmark.CpuTime;
+import fieldcal.benchmark.Findings;
 import fieldcal.benchmark.Scratch;
 import fieldcal.benchmark.ShareGoal;
 import fieldcal.calibration.HandSelection;
@@ -52,9 +53,11 @@ public final class TwinBenchmark {
    *
    * @param settings runs and seed
    * @param out where to
+   * @param findings the numbers of the page
    * @throws IOException when a recording cannot be written
    */
-  public static void run(BenchmarkSettings settings, PrintStream out) throws IOException {
+  public static void run(BenchmarkSettings settings, PrintStream out, Findings findings)
+      throws IOException {
     TwinBenchmark benchmark = new TwinBenchmark(out);
     for (int i = 0; i < FIELDS_PER_RUN * settings.runs(); i++) {
       benchmark.field(i, DrawnPair.of(settings.seed(), i));
@@ -65,6 +68,21 @@ public final class TwinBenchmark {
     out.println(
         PARAMETERS.row(
             "parameters within 2 standard errors", benchmark.close, benchmark.parameters));
+    findings.share(
+        "statistics of the recordings within their bounds",
+        benchmark.within,
+        benchmark.statistics,
+        WITHIN);
+    findings.share(
+        "parameters within two standard errors of each other",
+        benchmark.close,
+        benchmark.parameters,
+        PARAMETERS);
+    findings.share(
+        "fields whose twin's recording is diagnosed with the same causes",
+        benchmark.sameCauses,
+        benchmark.fields,
+        CAUSES);
     out.println(CAUSES.row("fields with the same causes", benchmark.sameCauses, benchmark.fields));
   }
 
