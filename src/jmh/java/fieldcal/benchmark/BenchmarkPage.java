@@ -11,6 +11,7 @@ import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -30,6 +31,9 @@ public final class BenchmarkPage {
 
   /** What the system itself computes is below that, cores (chosen: a tenth of a core changes a time of two cores by 5 %). */
   private static final double IDLE = 0.1;
+
+  /** How often browsers are looked at, ms. */
+  private static final int LOOK = 200;
 
   private static final String QUICK_KICKS = "--kicks 10";
 
@@ -142,15 +146,18 @@ public final class BenchmarkPage {
                 System.getProperty("java.class.path"),
                 Benchmarks.class.getName()));
     command.addAll(List.of(arguments.split(" ")));
-    int status =
+    Process block =
         new ProcessBuilder(command)
             .directory(project.toFile())
             .redirectErrorStream(true)
             .redirectOutput(running.toFile())
-            .start()
-            .waitFor();
-    if (status != 0) {
-      throw new IOException(arguments + " ended with " + status + "; see " + running);
+            .start();
+    BrowserCpu browsers = new BrowserCpu(block.toHandle());
+    while (!block.waitFor(LOOK, TimeUnit.MILLISECONDS)) {
+      browsers.look();
+    }
+    if (block.exitValue() != 0) {
+      throw new IOException(arguments + " ended with " + block.exitValue() + "; see " + running);
     }
     OwnCpu end = OwnCpu.now();
     String text =
@@ -160,7 +167,7 @@ public final class BenchmarkPage {
             arguments,
             LocalDate.now(ZoneOffset.UTC),
             end.seconds(begin),
-            end.othersSince(begin),
+            end.othersSince(begin, browsers.seconds()),
             Files.readString(running));
     Result result = Result.of(text);
     if (result == null) {

@@ -85,6 +85,29 @@ public final class Findings {
   }
 
   /**
+   * A share of drawn cases that should be neither too small nor too large.
+   *
+   * @param what is counted
+   * @param count of cases
+   * @param of how many
+   * @param lowest share allowed
+   * @param highest share allowed
+   */
+  public void share(String what, int count, int of, double lowest, double highest) {
+    Verdict least = ShareGoal.atLeast(lowest).decide(count, of);
+    Verdict most = ShareGoal.atMost(highest).decide(count, of);
+    boolean met = least == Verdict.MET && most == Verdict.MET;
+    boolean missed = least == Verdict.MISSED || most == Verdict.MISSED;
+    String goal = String.format(Locale.ROOT, "%.0f to %.0f %%", 100 * lowest, 100 * highest);
+    rows.add(
+        new Row(
+            what,
+            counted(count, of),
+            goal,
+            met ? Verdict.MET : missed ? Verdict.MISSED : Verdict.OPEN));
+  }
+
+  /**
    * A share of drawn cases without a goal.
    *
    * @param what is counted

@@ -86,9 +86,12 @@ final class LimitScore {
         Goal.atLeast(own.size(), "%.0f"));
     int trials = Math.max(1, reached);
     findings.value(name + ": mean error", "%.2f %%", Math.abs(100 * deviations / trials), UNBIASED);
-    String within = name + ": within two standard errors";
-    findings.share(within, covered, reached, ShareGoal.atLeast(COVERED.lowest() / 100));
-    findings.share(within, covered, reached, ShareGoal.atMost(COVERED.highest() / 100));
+    findings.share(
+        name + ": within two standard errors",
+        covered,
+        reached,
+        COVERED.lowest() / 100,
+        COVERED.highest() / 100);
     findings.value(name + ": false lower bounds", "%.0f", falseBounds, NEVER_FALSE);
   }
 

@@ -44,9 +44,9 @@ record OwnCpu(long busy, long own, long nanos) {
     return new OwnCpu(busy, own, System.nanoTime());
   }
 
-  /** How many cores others kept busy since then, on average. */
-  double othersSince(OwnCpu before) {
-    double others = (busy - before.busy - (own - before.own)) / TICKS;
+  /** How many cores others kept busy since then, on average; without what ours took beside that which is counted, s. */
+  double othersSince(OwnCpu before, double uncounted) {
+    double others = (busy - before.busy - (own - before.own)) / TICKS - uncounted;
     return Math.max(0, others / seconds(before));
   }
 

@@ -107,7 +107,7 @@ public final class HiddenEffectStudy {
   }
 
   /**
-   * Diagnoses twelve cases per run, two at a time.
+   * Diagnoses twelve small cases per run, two at a time.
    *
    * @param settings runs and seed
    * @param out told each case and the summary
@@ -119,6 +119,7 @@ public final class HiddenEffectStudy {
     Options options = new Options();
     options.cases = CASES_PER_RUN * settings.runs();
     options.seed = settings.seed();
+    options.small = true;
     StudySummary summary = new StudySummary(run(options, out));
     summary.print(out);
     summary.tell(findings);

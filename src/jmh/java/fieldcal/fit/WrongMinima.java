@@ -48,7 +48,7 @@ public final class WrongMinima {
         out.printf(
             "%-22s %6d %6d %7s  %s%n",
             kind.id() + ", " + condition, wrong, failed, goal, goal.verdict(wrong));
-        String what = "wrong minima of %d %s kicks, %s";
+        String what = "wrong minima of %d kicks, %s, %s";
         findings.value(what.formatted(settings.kicks(), kind.id(), condition), "%.0f", wrong, goal);
         if (Boolean.getBoolean("fieldcal.verbose")) {
           trials.stream().filter(KickTrial::wrong).forEach(t -> out.println(t.fit()));

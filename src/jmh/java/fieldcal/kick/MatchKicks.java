@@ -32,7 +32,7 @@ public final class MatchKicks {
   private static final Goal INVENTED = Goal.atMost(2, "%.0f %%");
   private static final Goal ENDS = Goal.atLeast(90, "%.0f %%");
   private static final Goal KINDS = Goal.atLeast(95, "%.0f %%");
-  private static final Goal SPEED = Goal.atLeast(100, "%.0f x");
+  private static final Goal SPEED = Goal.atLeast(100, "%.0f");
 
   /** A fit of fewer detections says little about the kind. */
   private static final int ENOUGH = 20;

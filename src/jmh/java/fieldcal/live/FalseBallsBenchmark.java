@@ -70,6 +70,17 @@ public final class FalseBallsBenchmark {
           replay.kicks().size(),
           lost,
           invented);
+      for (double kick : clean.kicks()) {
+        double nearest =
+            replay.kicks().stream().mapToDouble(k -> Math.abs(k - kick)).min().orElse(Double.NaN);
+        if (nearest >= SAME) {
+          out.printf(
+              Locale.ROOT,
+              "  lost: the kick %.2f s after the first one; the nearest is %.2f s off%n",
+              kick - clean.kicks().get(0),
+              nearest);
+        }
+      }
       String each = amount + " false balls in each frame";
       findings.value(each + ": replay, per core, times real time", "%.1f", times, FAST);
       if (amount > 0) {

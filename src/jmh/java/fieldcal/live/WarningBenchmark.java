@@ -191,7 +191,9 @@ public final class WarningBenchmark {
         earlier,
         soon.verdict(median(after)));
     findings.note(
-        "published " + name + " 25 to 50 % off: warned about after (median, worst, never)",
+        "published "
+            + (name.equals("all") ? "parameter, drawn" : name)
+            + ", 25 to 50 % off: warned about after (median, worst, never)",
         "%s, %s; in %d of %d matches"
             .formatted(seconds(median(after)), seconds(worst(after)), never, matches.size()));
   }
@@ -224,7 +226,7 @@ public final class WarningBenchmark {
   private static String seconds(double time) {
     return Double.isInfinite(time)
         ? "not in the match"
-        : String.format(Locale.ROOT, "%.0f s", time);
+        : Double.isNaN(time) ? "–" : String.format(Locale.ROOT, "%.0f s", time);
   }
 
   /** Matches that were never warned come last. */
