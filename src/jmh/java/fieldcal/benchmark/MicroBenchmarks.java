@@ -14,8 +14,8 @@ import org.openjdk.jmh.runner.options.VerboseMode;
 
 /** The micro benchmarks that have goals, beside these. */
 final class MicroBenchmarks {
-  private static final Goal FLAT_FIT = Goal.atMost(10, "%.0f ms");
-  private static final Goal CHIP_FIT = Goal.atMost(25, "%.0f ms");
+  private static final Goal FLAT_FIT = Goal.atMost(2.5, "%.1f ms");
+  private static final Goal CHIP_FIT = Goal.atMost(8, "%.0f ms");
   private static final Goal FLAT_STATE = Goal.atMost(10, "%.0f ns");
   private static final Goal CHIP_STATE = Goal.atMost(30, "%.0f ns");
   private static final Goal NOTHING = Goal.atMost(0, "%.0f B");

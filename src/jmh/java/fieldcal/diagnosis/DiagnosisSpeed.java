@@ -34,7 +34,7 @@ public final class DiagnosisSpeed {
   private static final int MANY = 4;
 
   private static final Goal SCORES = Goal.atMost(1, "%.0f s");
-  private static final Goal MEGABYTES = Goal.atMost(512, "%.0f MB");
+  private static final Goal MEGABYTES = Goal.atMost(400, "%.0f MB");
   private static final String[] KICKS = {"--scenario", "mixed", "--kicks", "24"};
 
   /** From nothing to what takes longest: bounces, and two and four at once. */

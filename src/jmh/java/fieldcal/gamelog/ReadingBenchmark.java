@@ -30,7 +30,7 @@ public final class ReadingBenchmark {
   private static final int CAMERAS = 4;
   private static final double FRAME_INTERVAL = 1 / 73.0;
   private static final long MB = 1_000_000;
-  private static final Goal RATE = Goal.atLeast(250, "%.0f MB/s");
+  private static final Goal RATE = Goal.atLeast(500, "%.0f MB/s");
 
   /** A twentieth of the log: memory does not grow with it. */
   private static final Goal HEAP = Goal.atMost(50, "%.0f MB");

@@ -5,6 +5,7 @@ import fieldcal.benchmark.Findings;
 import fieldcal.benchmark.Goal;
 import fieldcal.simulation.FieldSize;
 import fieldcal.vision.BallDetection;
+import fieldcal.vision.ChangedFrame;
 import fieldcal.vision.VisionFrame;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
@@ -133,13 +134,6 @@ public final class FalseBallsBenchmark {
       double y = field.width() * (random.nextDouble() - 0.5);
       balls.add(new BallDetection(x, y, Double.NaN, 0.5, 50, Double.NaN, Double.NaN));
     }
-    return new VisionFrame(
-        frame.cameraId(),
-        frame.frameNumber(),
-        frame.captureTime(),
-        frame.sentTime(),
-        frame.cameraClockTime(),
-        balls,
-        frame.robots());
+    return ChangedFrame.withBalls(frame, balls);
   }
 }

@@ -9,6 +9,7 @@ import fieldcal.simulation.Simulation;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.imaging.Nuisance;
 import fieldcal.vision.BallDetection;
+import fieldcal.vision.ChangedFrame;
 import fieldcal.vision.RobotDetection;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.VisionFrame;
@@ -99,12 +100,8 @@ record DrawnMatch(SimulationSettings settings, boolean spot, boolean swaps) {
         nextSwap += random.nextDouble(2, 10);
       }
       frames.add(
-          new VisionFrame(
-              frame.cameraId(),
-              frame.frameNumber(),
-              frame.captureTime(),
-              frame.sentTime(),
-              frame.cameraClockTime(),
+          ChangedFrame.with(
+              frame,
               balls,
               frame.captureTime() < swapUntil ? swapped(frame.robots()) : frame.robots()));
     }

@@ -6,6 +6,7 @@ import fieldcal.camera.Camera;
 import fieldcal.gamelog.RecordingListener;
 import fieldcal.gamelog.RecordingReader;
 import fieldcal.vision.BallDetection;
+import fieldcal.vision.ChangedFrame;
 import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.VisionFrame;
 import java.io.IOException;
@@ -63,14 +64,7 @@ class FalseBallsTest {
     for (int i = 0; i < falseBalls; i++) {
       balls.add(spot(toX * random.nextDouble(), toY * random.nextDouble()));
     }
-    return new VisionFrame(
-        frame.cameraId(),
-        frame.frameNumber(),
-        frame.captureTime(),
-        frame.sentTime(),
-        frame.cameraClockTime(),
-        balls,
-        frame.robots());
+    return ChangedFrame.withBalls(frame, balls);
   }
 
   private static BallDetection spot(double x, double y) {
