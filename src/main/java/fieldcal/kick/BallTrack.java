@@ -1,5 +1,6 @@
 package fieldcal.kick;
 
+import fieldcal.vision.BallDetection;
 import java.util.Arrays;
 
 /**
@@ -11,7 +12,7 @@ final class BallTrack {
   /** 160 detections are two seconds at 75 Hz: more than the rest that a kick keeps plus the delay of its detection. */
   private static final int CAPACITY = 160;
 
-  /** Initial capacity, small because most tracks are single false detections. */
+  /** Initial capacity, small because most are single false detections. */
   private static final int AT_FIRST = 4;
 
   private final int camera;
@@ -21,6 +22,7 @@ final class BallTrack {
   private double[] pixelX = new double[AT_FIRST];
   private double[] pixelY = new double[AT_FIRST];
   private int count;
+  private int lastFrame;
   private final JumpDetector jumps = new JumpDetector();
 
   BallTrack(int camera) {
@@ -35,7 +37,18 @@ final class BallTrack {
     return jumps;
   }
 
-  void add(double t, double px, double py, double u, double v) {
+  void add(double t, BallDetection ball, int frame) {
+    add(t, ball.x(), ball.y(), ball.pixelX(), ball.pixelY(), frame);
+  }
+
+  /** Takes over a detection of another track of this camera. */
+  void add(BallTrack other, int age, int frame) {
+    int i = other.slot(age);
+    add(other.time[i], other.x[i], other.y[i], other.pixelX[i], other.pixelY[i], frame);
+  }
+
+  private void add(double t, double px, double py, double u, double v, int frame) {
+    lastFrame = frame;
     if (count == time.length && count < CAPACITY) {
       grow();
     }
@@ -81,6 +94,11 @@ final class BallTrack {
 
   double y(int age) {
     return y[slot(age)];
+  }
+
+  /** The number of the camera's frame in which the ball was seen last. */
+  int lastFrame() {
+    return lastFrame;
   }
 
   double lastTime() {

@@ -66,6 +66,9 @@ record Departure(double time, double timeError, double length, boolean fromRest)
   /** Detections before the kick that are farther from the resting ball show something else, m; a chip that seems to lie still is found by the time it has moved this far. */
   private static final double ELSEWHERE = 0.12;
 
+  /** A resting ball is seen within so many standard deviations of its place. */
+  private static final double AT_REST = 3;
+
   /** Fewer detections of rest do not show where the ball lay, nor how noisy the camera is. */
   private static final int FEWEST = 5;
 
@@ -204,8 +207,21 @@ record Departure(double time, double timeError, double length, boolean fromRest)
         }
       }
     }
-    return new Near(
-        seen, cameras.size(), Math.max(LEAST_NOISE, Math.sqrt(squares / Math.max(1, degrees))));
+    double noise = Math.max(LEAST_NOISE, Math.sqrt(squares / Math.max(1, degrees)));
+    List<Seen> before = seen.stream().filter(s -> s.t <= time).toList();
+    seen.removeAll(before.stream().filter(s -> isFalse(s, before, noise)).toList());
+    return new Near(seen, cameras.size(), noise);
+  }
+
+  /** A ball that was touched does not come back: what is away from the place of rest before the ball is seen there again is something else. */
+  private static boolean isFalse(Seen away, List<Seen> before, double noise) {
+    return Math.abs(away.along) > 2 * AT_REST * noise
+        && before.stream()
+            .anyMatch(
+                later ->
+                    later.camera == away.camera
+                        && later.t > away.t
+                        && Math.abs(later.along) < AT_REST * noise);
   }
 
   /** How far a push at 1 m/s has moved the ball. */

@@ -112,9 +112,7 @@ public final class KickFinder {
     for (BallDetection ball : frame.balls()) {
       tracks.offer(ball);
     }
-    for (BallTrack track : tracks.associate(t)) {
-      follow(track);
-    }
+    tracks.associate(t, this::follow);
     endLost();
   }
 

@@ -1,10 +1,12 @@
 package fieldcal.kick;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.camera.Camera;
 import fieldcal.gamelog.RecordingListener;
 import fieldcal.gamelog.RecordingReader;
+import fieldcal.live.SimulatedMatch;
 import fieldcal.vision.BallDetection;
 import fieldcal.vision.ChangedFrame;
 import fieldcal.vision.FieldGeometry;
@@ -14,6 +16,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -39,9 +42,7 @@ class FalseBallsTest {
           new RecordingListener() {
             @Override
             public void onGeometry(FieldGeometry geometry) {
-              Map<Integer, Camera> cameras = new HashMap<>();
-              geometry.cameras().forEach(c -> cameras.put(c.id(), Camera.of(c)));
-              finder.geometry(geometry, cameras);
+              know(finder, geometry);
             }
 
             @Override
@@ -84,6 +85,41 @@ class FalseBallsTest {
     }
   }
 
+  /** In a match robots hide the ball again and again, and whatever is seen meanwhile looks like it. */
+  @Test
+  void inAMatchNoKickIsLostAndNoFalseBallGetsIntoOne() {
+    SimulatedMatch match = SimulatedMatch.play(11, 3, -0.28);
+    List<Kick> clean = kicks(match, 0);
+    List<Kick> among = kicks(match, 10);
+    assertThat(clean).hasSizeGreaterThan(40);
+    assertThat(among.stream().map(Kick::end))
+        .containsExactlyElementsOf(clean.stream().map(Kick::end).toList());
+    for (int i = 0; i < clean.size(); i++) {
+      Kick kick = clean.get(i);
+      String name = String.format(Locale.ROOT, "kick at %.3f s", kick.time());
+      assertThat(among.get(i).time()).as(name).isCloseTo(kick.time(), within(SAME));
+      assertThat(among.get(i).observations().size())
+          .as("detections of the " + name)
+          .isCloseTo(kick.observations().size(), within(2));
+    }
+  }
+
+  private static List<Kick> kicks(SimulatedMatch match, int falseBalls) {
+    List<Kick> kicks = new ArrayList<>();
+    KickFinder finder = new KickFinder(KickFinderSettings.defaults(), kicks::add);
+    Random random = new Random(11);
+    know(finder, match.recording().geometry());
+    match.recording().frames().forEach(f -> finder.accept(with(falseBalls, f, random)));
+    finder.finish();
+    return kicks;
+  }
+
+  private static void know(KickFinder finder, FieldGeometry geometry) {
+    Map<Integer, Camera> cameras = new HashMap<>();
+    geometry.cameras().forEach(c -> cameras.put(c.id(), Camera.of(c)));
+    finder.geometry(geometry, cameras);
+  }
+
   @Test
   void aHundredInEachFrameLeaveBoundedTracksAndTheBallAmongThem() {
     CameraTracks tracks = new CameraTracks(0);
@@ -94,7 +130,7 @@ class FalseBallsTest {
         tracks.offer(spot(-6 * random.nextDouble(), -4.5 * random.nextDouble()));
       }
       tracks.offer(spot(-1 - t, -2));
-      tracks.associate(t);
+      tracks.associate(t, track -> {});
       assertThat(tracks.tracks()).hasSizeLessThanOrEqualTo(200);
     }
     assertThat(tracks.tracks())
