@@ -34,8 +34,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.Executor;
-import java.util.concurrent.atomic.AtomicReference;
 import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
 
@@ -76,12 +77,14 @@ final class LiveFits {
   private final FlightWatch flight = new FlightWatch();
   private final List<KickResult> missed = new ArrayList<>();
   private final Executor executor;
-  private final AtomicReference<Done> done = new AtomicReference<>();
+
+  /** What is being fitted; null while nothing is. */
+  private CompletableFuture<Done> running;
+
   private CameraViews fittedWith;
   private double newest = Double.NEGATIVE_INFINITY;
   private boolean ended;
   private boolean pending;
-  private boolean busy;
   private Map<String, Average> averages = Map.of();
   private Map<String, Double> precisions = Map.of();
   private final Map<Integer, Camera> cameras = new TreeMap<>();
@@ -134,7 +137,7 @@ final class LiveFits {
 
   /** Whether a judgement may still change without another frame. */
   boolean isOpen() {
-    return busy || pending || results.stream().anyMatch(r -> r.verdict().isEmpty());
+    return running != null || pending || results.stream().anyMatch(r -> r.verdict().isEmpty());
   }
 
   private void found(Kick kick) {
@@ -168,12 +171,13 @@ final class LiveFits {
     List<KickResult> changed = new ArrayList<>(missed);
     missed.clear();
     pending |= fresh;
-    if (pending && !busy) {
+    if (pending && running == null) {
       begin();
     }
-    Done ready = done.getAndSet(null);
-    if (ready != null) {
-      changed.addAll(take(ready));
+    if (running != null && running.isDone()) {
+      CompletableFuture<Done> ready = running;
+      running = null;
+      changed.addAll(take(of(ready)));
     }
     return changed;
   }
@@ -224,13 +228,12 @@ final class LiveFits {
       FlatModel flat,
       ChipModel chip) {}
 
-  /** What came of it; of a failure nothing but that. */
+  /** What came of it. */
   private record Done(
       Map<Integer, KickFit> fits,
-      Optional<CameraViews> fittedWith,
-      Optional<Calibration> judged,
-      Map<String, Double> precisions,
-      Optional<RuntimeException> failure) {}
+      CameraViews fittedWith,
+      Calibration judged,
+      Map<String, Double> precisions) {}
 
   private void begin() {
     List<CameraView> views = new ArrayList<>();
@@ -244,16 +247,19 @@ final class LiveFits {
             flat,
             chip);
     pending = false;
-    busy = true;
-    executor.execute(
-        () -> {
-          try {
-            done.set(fitAll(work));
-          } catch (RuntimeException e) {
-            done.set(
-                new Done(Map.of(), Optional.empty(), Optional.empty(), Map.of(), Optional.of(e)));
-          }
-        });
+    running = CompletableFuture.supplyAsync(() -> fitAll(work), executor);
+  }
+
+  /** What came of it; what was thrown there is thrown here, errors of the machine too, since nothing would come any more. */
+  private static Done of(CompletableFuture<Done> ready) {
+    try {
+      return ready.join();
+    } catch (CompletionException e) {
+      if (e.getCause() instanceof Error error) {
+        throw error;
+      }
+      throw e.getCause() instanceof RuntimeException cause ? cause : e;
+    }
   }
 
   /** New kicks are fitted, and the earlier ones again when the cameras are known better now. */
@@ -276,18 +282,14 @@ final class LiveFits {
     Calibration judged = Calibrator.judged(List.copyOf(made.values()), views, seed);
     Map<String, Double> known = new HashMap<>();
     PARAMETERS.get(kind).forEach(name -> known.put(name, judged.leastPrecision(kind, name)));
-    return new Done(made, Optional.of(views), Optional.of(judged), known, Optional.empty());
+    return new Done(made, views, judged, known);
   }
 
   private List<KickResult> take(Done ready) {
-    busy = false;
-    if (ready.failure().isPresent()) {
-      throw ready.failure().get();
-    }
     fits.putAll(ready.fits());
-    fittedWith = ready.fittedWith().orElseThrow();
+    fittedWith = ready.fittedWith();
     precisions = ready.precisions();
-    return judgeAll(ready.judged().orElseThrow());
+    return judgeAll(ready.judged());
   }
 
   /** By how much offsets differ, m; a camera that was not known before is new. */
