@@ -33,8 +33,8 @@ final class CameraTracks {
   /** After more frames without it a ball has to be recognised again. */
   private static final int HIDDEN = 4;
 
-  /** A candidate must be seen in every second frame. */
-  private static final int SKIPPED = 2;
+  /** A candidate must be seen in every third frame: a third of the detections may be missing. */
+  private static final int SKIPPED = 3;
 
   /** So many detections in a row make a ball; ten false balls in each frame of a camera that sees a quarter of the field are four in a row and on a line about once in twenty minutes. */
   private static final int BELIEVED = 4;
