@@ -1,5 +1,6 @@
 package fieldcal.diagnosis;
 
+import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelFitter;
@@ -122,7 +123,12 @@ final class NamedSearch {
     if (found.solution().reducedChiSquare() > EXPLAINED && !all.screen().explainsMost(found)) {
       return start;
     }
-    return all.fitter()
-        .fit(found.resumed().in(all.arena()), all.base(), Weighing.EXPLAINED_FIRST, all.solver());
+    if (found.model().components().isEmpty()) {
+      return start;
+    }
+    // How low the ball hops is known from the base fit of all kicks, not from flat ones.
+    double lowest = all.base().solution().state().chip().lowestHop();
+    EffectModel model = found.resumed().in(all.arena()).withLowestHop(lowest);
+    return all.fitter().fit(model, all.base(), Weighing.EXPLAINED_FIRST, all.solver());
   }
 }

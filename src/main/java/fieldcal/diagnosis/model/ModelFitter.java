@@ -14,6 +14,12 @@ public final class ModelFitter {
   /** By how much chi-square must fall for hops below the league's lowest; noise reaches that once in ten thousand recordings. */
   private static final double LOW_HOP_PRICE = 15;
 
+  /** Lowest hops that are tried, m: a bounce takes three quarters of the height, so that each has one bounce more than the one before it, and what a fit finds by itself is one more or less. */
+  private static final double[] LOWER_HOPS = {
+    Math.sqrt(ChipModel.MIN_HOP_HEIGHT * ChipModel.ENGINE_MIN_HOP_HEIGHT),
+    ChipModel.ENGINE_MIN_HOP_HEIGHT
+  };
+
   /** Share of what is left that lower hops must explain; the same holds for a law of impacts. */
   private static final double LOW_HOP_SHARE = 0.1;
 
@@ -95,18 +101,21 @@ public final class ModelFitter {
    * @return the same where hops are already as low, where a law of impacts gives the lowest hop, and where lower hops do not explain a tenth of what is left
    */
   public FittedModel withLowHops(FittedModel from, SharedSolver solver) {
-    if (!canHopLower(from)) {
-      return from;
+    FittedModel best = from;
+    for (double lowest : LOWER_HOPS) {
+      if (canHop(lowest, from)) {
+        EffectModel start = from.resumed().withLowestHop(lowest);
+        best = better(fit(start, from, Weighing.ALIKE, solver.startingByRule()), best);
+      }
     }
-    EffectModel start = from.resumed().withLowestHop(ChipModel.ENGINE_MIN_HOP_HEIGHT);
-    return better(fit(start, from, Weighing.ALIKE, solver.startingByRule()), from);
+    return best;
   }
 
-  private static boolean canHopLower(FittedModel fitted) {
+  private static boolean canHop(double lowest, FittedModel fitted) {
     boolean chips = fitted.records().stream().anyMatch(k -> k.kind == KickKind.CHIP);
     double now = fitted.solution().state().chip().lowestHop();
     return chips
-        && now > ChipModel.ENGINE_MIN_HOP_HEIGHT
+        && now > lowest
         && fitted.model().components().stream().noneMatch(Component::isLaw);
   }
 
