@@ -255,7 +255,8 @@ final class CameraTracks {
     double y = candidate.y(oldest) - line.y(t);
     double changedX = (after.vx() - line.vx()) * hidden;
     double changedY = (after.vy() - line.vy()) * hidden;
-    double share = (x * changedX + y * changedY) / (changedX * changedX + changedY * changedY);
+    double square = changedX * changedX + changedY * changedY;
+    double share = square > 0 ? (x * changedX + y * changedY) / square : 0;
     double s = Math.max(0, Math.min(1, share));
     double off = Math.hypot(x - s * changedX, y - s * changedY);
     double velocityError = Math.hypot(line.velocityError(), after.velocityError());

@@ -120,6 +120,23 @@ class FalseBallsTest {
     finder.geometry(geometry, cameras);
   }
 
+  /** Without noise both velocities are exactly the same. */
+  @Test
+  void aRestingBallThatWasHiddenIsTheSameBall() {
+    CameraTracks tracks = new CameraTracks(0);
+    Random random = new Random(5);
+    for (int i = 0; i < 60; i++) {
+      if (i < 20 || i > 45) {
+        tracks.offer(spot(1, -2));
+      }
+      tracks.offer(spot(-6 * random.nextDouble(), -4.5 * random.nextDouble()));
+      tracks.associate(i / 75.0, track -> {});
+    }
+    assertThat(tracks.tracks())
+        .singleElement()
+        .satisfies(ball -> assertThat(ball.total()).isEqualTo(34));
+  }
+
   @Test
   void aHundredInEachFrameLeaveBoundedTracksAndTheBallAmongThem() {
     CameraTracks tracks = new CameraTracks(0);
