@@ -14,13 +14,14 @@ public final class ModelFitter {
   /** By how much chi-square must fall for hops below the league's lowest; noise reaches that once in ten thousand recordings. */
   private static final double LOW_HOP_PRICE = 15;
 
-  /** Lowest hops that are tried, m: a bounce takes three quarters of the height, so that each has one bounce more than the one before it, and what a fit finds by itself is one more or less. */
-  private static final double[] LOWER_HOPS = {
-    Math.sqrt(ChipModel.MIN_HOP_HEIGHT * ChipModel.ENGINE_MIN_HOP_HEIGHT),
-    ChipModel.ENGINE_MIN_HOP_HEIGHT
-  };
+  /** A lowest hop between the league's and the engines', m: a bounce takes three quarters of the height, so that each of the three has one bounce more than the one before it, and what a fit finds by itself is one more or less. */
+  private static final double HOP_IN_BETWEEN =
+      Math.sqrt(ChipModel.MIN_HOP_HEIGHT * ChipModel.ENGINE_MIN_HOP_HEIGHT);
 
-  /** Share of what is left that lower hops must explain; the same holds for a law of impacts. */
+  /** Share of what is left that hops in between must explain: they are nobody's model, and where bounces follow another law they also explain a part of it. */
+  private static final double IN_BETWEEN_SHARE = 0.5;
+
+  /** Share of what is left that the engines' hops must explain; the same holds for a law of impacts. */
   private static final double LOW_HOP_SHARE = 0.1;
 
   /** Steps of a fit once the effort is spent; chosen: from another model's fit, a model that is right needs two or three. */
@@ -98,17 +99,20 @@ public final class ModelFitter {
    *
    * @param from the model, fitted to the same kicks
    * @param solver how
-   * @return the same where hops are already as low, where a law of impacts gives the lowest hop, and where lower hops do not explain a tenth of what is left
+   * @return the same where hops are already as low, where a law of impacts gives the lowest hop, and where lower hops explain too little of what is left
    */
   public FittedModel withLowHops(FittedModel from, SharedSolver solver) {
-    FittedModel best = from;
-    for (double lowest : LOWER_HOPS) {
-      if (canHop(lowest, from)) {
-        EffectModel start = from.resumed().withLowestHop(lowest);
-        best = better(fit(start, from, Weighing.ALIKE, solver.startingByRule()), best);
-      }
+    FittedModel between = withHops(HOP_IN_BETWEEN, IN_BETWEEN_SHARE, from, from, solver);
+    return withHops(ChipModel.ENGINE_MIN_HOP_HEIGHT, LOW_HOP_SHARE, from, between, solver);
+  }
+
+  private FittedModel withHops(
+      double lowest, double share, FittedModel from, FittedModel otherwise, SharedSolver solver) {
+    if (!canHop(lowest, from)) {
+      return otherwise;
     }
-    return best;
+    EffectModel start = from.resumed().withLowestHop(lowest);
+    return better(fit(start, from, Weighing.ALIKE, solver.startingByRule()), otherwise, share);
   }
 
   private static boolean canHop(double lowest, FittedModel fitted) {
@@ -119,9 +123,9 @@ public final class ModelFitter {
         && fitted.model().components().stream().noneMatch(Component::isLaw);
   }
 
-  private static FittedModel better(FittedModel low, FittedModel high) {
+  private static FittedModel better(FittedModel low, FittedModel high, double share) {
     double left = high.evenCost() - high.solution().rows();
-    double least = Math.max(LOW_HOP_PRICE, LOW_HOP_SHARE * left);
+    double least = Math.max(LOW_HOP_PRICE, share * left);
     return low.evenCost() + least < high.evenCost() ? low : high;
   }
 
