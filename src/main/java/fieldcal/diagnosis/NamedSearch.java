@@ -126,9 +126,9 @@ final class NamedSearch {
     if (found.model().components().isEmpty()) {
       return start;
     }
-    // How low the ball hops is known from the base fit of all kicks, not from flat ones.
+    // How low the ball hops flat kicks do not show; the base fit of all kicks does.
     double lowest = all.base().solution().state().chip().lowestHop();
-    EffectModel model = found.resumed().in(all.arena()).withLowestHop(lowest);
+    EffectModel model = found.resumed().in(all.arena()).withHopsDownTo(lowest);
     return all.fitter().fit(model, all.base(), Weighing.EXPLAINED_FIRST, all.solver());
   }
 }
