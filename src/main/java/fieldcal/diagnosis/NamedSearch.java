@@ -114,7 +114,7 @@ final class NamedSearch {
     return foundAmong(at, quiet, start);
   }
 
-  /** What is found among some kicks, fitted to all; the start where this does not explain them. */
+  /** What is found among some kicks, fitted to all; the start where this does not explain them, and the simple model where nothing is found. */
   private FittedModel foundAmong(DiagnosisCase all, List<KickRecord> kicks, FittedModel start) {
     DiagnosisCase some = all.refitted(kicks);
     boolean fromNothing = start == all.base();
@@ -124,11 +124,13 @@ final class NamedSearch {
       return start;
     }
     if (found.model().components().isEmpty()) {
-      return start;
+      return all.base();
     }
-    // How low the ball hops flat kicks do not show; the base fit of all kicks does.
-    double lowest = all.base().solution().state().chip().lowestHop();
-    EffectModel model = found.resumed().in(all.arena()).withHopsDownTo(lowest);
+    EffectModel model = found.resumed().in(all.arena());
+    if (kicks.stream().noneMatch(k -> k.kind() == KickKind.CHIP)) {
+      // How low the ball hops flat kicks do not show; the base fit of all kicks does.
+      model = model.withLowestHop(all.base().solution().state().chip().lowestHop());
+    }
     return all.fitter().fit(model, all.base(), Weighing.EXPLAINED_FIRST, all.solver());
   }
 }

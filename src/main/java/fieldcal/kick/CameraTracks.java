@@ -18,8 +18,11 @@ import java.util.function.Consumer;
  * balls never come into the path of a real one.
  */
 final class CameraTracks {
-  /** A ball that is hidden for longer is another one, s. */
+  /** A ball that is hidden for longer, until it is recognised, is another one, s. */
   private static final double FORGET = 0.6;
+
+  /** The same for a candidate: three frames at 20 Hz, s. */
+  private static final double FORGET_CANDIDATE = 0.15;
 
   /** How far a ball that is not touched may be from the line through its last five detections, m: within four frames even one that slides or bounces bends less. */
   private static final double NEAR = 0.05;
@@ -118,7 +121,9 @@ final class CameraTracks {
     last = t;
     frame++;
     tracks.removeIf(track -> t - track.lastTime() > FORGET);
-    candidates.removeIf(candidate -> frame - candidate.lastFrame() > SKIPPED);
+    candidates.removeIf(
+        candidate ->
+            frame - candidate.lastFrame() > SKIPPED || t - candidate.lastTime() > FORGET_CANDIDATE);
     updated.clear();
     assignNearest(t, tracks);
     List<BallTrack> continued = List.copyOf(updated);
@@ -166,13 +171,13 @@ final class CameraTracks {
       return;
     }
     double ahead = t - track.lastTime();
-    boolean predicted = track.size() > 1 && track.fitNewest(5, 0.1, line);
+    boolean predicted = heading(track);
     double gate = kickable(ahead);
     double px = predicted ? line.x(t) : track.x(0);
     double py = predicted ? line.y(t) : track.y(0);
     if (predicted) {
       double calm =
-          track.size() == 2
+          line.count() == 2
               ? NEAR_TWO + resolution
               : NEAR + resolution + SCATTER * (line.rms() + ahead * line.velocityError());
       gate = Math.min(gate, calm);
@@ -187,6 +192,11 @@ final class CameraTracks {
         }
       }
     }
+  }
+
+  /** The line on which a ball was seen last; false when it was seen only once. */
+  private boolean heading(BallTrack track) {
+    return track.size() > 1 && (track.fitNewest(5, 0.1, line) || track.fit(0, 1, line));
   }
 
   /** How far a ball may be from where it was heading, after a time in which it may have been kicked, m. */
@@ -225,10 +235,14 @@ final class CameraTracks {
 
   /** The track that a candidate continues, the nearest one; null when there is none. */
   private Believed recognise(BallTrack candidate) {
+    if (candidate.size() < RECOGNISED) {
+      return null;
+    }
     Believed nearest = null;
     double best = 1;
     for (BallTrack track : tracks) {
-      if (track.fitNewest(5, 0.1, line)) {
+      boolean hidden = candidate.time(RECOGNISED - 1) > track.lastTime();
+      if (hidden && heading(track)) {
         int oldest = onLine(candidate, Math.max(SMOOTH + resolution, SCATTER * line.rms()));
         double relative =
             oldest < RECOGNISED - 1 ? Double.POSITIVE_INFINITY : relative(track, candidate, oldest);

@@ -213,15 +213,14 @@ record Departure(double time, double timeError, double length, boolean fromRest)
     return new Near(seen, cameras.size(), noise);
   }
 
-  /** A ball that was touched does not come back: what is away from the place of rest before the ball is seen there again is something else. */
+  /** A single detection away from the place of rest, with the ball there in the camera's frames before and after it, is something else. A chip that is projected away from the camera also comes back, but over several frames. */
   private static boolean isFalse(Seen away, List<Seen> before, double noise) {
+    List<Seen> same = before.stream().filter(s -> s.camera == away.camera).toList();
+    int at = same.indexOf(away);
     return Math.abs(away.along) > 2 * AT_REST * noise
-        && before.stream()
-            .anyMatch(
-                later ->
-                    later.camera == away.camera
-                        && later.t > away.t
-                        && Math.abs(later.along) < AT_REST * noise);
+        && at + 1 < same.size()
+        && Math.abs(same.get(at + 1).along) < AT_REST * noise
+        && (at == 0 || Math.abs(same.get(at - 1).along) < AT_REST * noise);
   }
 
   /** How far a push at 1 m/s has moved the ball. */

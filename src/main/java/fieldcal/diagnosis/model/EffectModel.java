@@ -109,16 +109,6 @@ public final class EffectModel implements SharedModel<ModelState> {
   }
 
   /**
-   * The same with hops that are at least as low as given; it has no effect where a law of impacts gives its own.
-   *
-   * @param height height of the apex of the lowest one, m, positive
-   * @return the changed copy
-   */
-  public EffectModel withHopsDownTo(double height) {
-    return withLowestHop(Math.min(height, chip.lowestHop()));
-  }
-
-  /**
    * The same for other kinds of kicks.
    *
    * @param anyFlats whether there are flat kicks

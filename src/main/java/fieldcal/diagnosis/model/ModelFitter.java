@@ -102,17 +102,18 @@ public final class ModelFitter {
    * @return the same where hops are already as low, where a law of impacts gives the lowest hop, and where lower hops explain too little of what is left
    */
   public FittedModel withLowHops(FittedModel from, SharedSolver solver) {
-    FittedModel between = withHops(HOP_IN_BETWEEN, IN_BETWEEN_SHARE, from, from, solver);
-    return withHops(ChipModel.ENGINE_MIN_HOP_HEIGHT, LOW_HOP_SHARE, from, between, solver);
+    FittedModel between = withHops(HOP_IN_BETWEEN, IN_BETWEEN_SHARE, from, solver);
+    FittedModel low = withHops(ChipModel.ENGINE_MIN_HOP_HEIGHT, LOW_HOP_SHARE, from, solver);
+    boolean closer = between.evenCost() + LOW_HOP_PRICE < low.evenCost();
+    return low == from || closer ? between : low;
   }
 
-  private FittedModel withHops(
-      double lowest, double share, FittedModel from, FittedModel otherwise, SharedSolver solver) {
+  private FittedModel withHops(double lowest, double share, FittedModel from, SharedSolver solver) {
     if (!canHop(lowest, from)) {
-      return otherwise;
+      return from;
     }
     EffectModel start = from.resumed().withLowestHop(lowest);
-    return better(fit(start, from, Weighing.ALIKE, solver.startingByRule()), otherwise, share);
+    return better(fit(start, from, Weighing.ALIKE, solver.startingByRule()), from, share);
   }
 
   private static boolean canHop(double lowest, FittedModel fitted) {
