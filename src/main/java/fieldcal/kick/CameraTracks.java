@@ -18,52 +18,52 @@ import java.util.function.Consumer;
  * balls never come into the path of a real one.
  */
 final class CameraTracks {
-  /** A ball that is hidden for longer, until it is recognised, is another one, s. */
+  /** A ball that was hidden for longer until it is recognised is another one, s. */
   private static final double FORGET = 0.6;
 
-  /** The same for a candidate: three frames at 20 Hz, s. */
+  /** A candidate that was not seen for longer is none: three frames at 20 Hz, s. */
   private static final double FORGET_CANDIDATE = 0.15;
 
   /** How far a ball that is not touched may be from the line through its last five detections, m: within four frames even one that slides or bounces bends less. */
-  private static final double NEAR = 0.05;
+  private static final double MOST_OFF_LINE = 0.05;
 
   /** The same by the noise of that line, in standard errors: sixteen thousand detections for one that is missed. */
-  private static final double SCATTER = 4;
+  private static final double MOST_STANDARD_ERRORS = 4;
 
   /** A line through two detections says nothing of their noise; cameras scatter by up to 25 mm where a line is still taken to be one, of which an extrapolation makes this, m. */
-  private static final double NEAR_TWO = 0.12;
+  private static final double MOST_OFF_TWO_POINTS = 0.12;
 
   /** After more frames without it a ball has to be recognised again. */
-  private static final int HIDDEN = 4;
+  private static final int MOST_FRAMES_HIDDEN = 4;
 
-  /** A candidate must be seen in every third frame: a third of the detections may be missing. */
-  private static final int SKIPPED = 3;
+  /** A candidate is seen at least in every third frame. */
+  private static final int MOST_FRAMES_APART = 3;
 
   /** So many detections in a row make a ball; ten false balls in each frame of a camera that sees a quarter of the field are four in a row and on a line about once in twenty minutes. */
-  private static final int BELIEVED = 4;
+  private static final int FEWEST_OF_NEW_BALL = 4;
 
   /** So many in a row do so even if they scatter. */
-  private static final int CERTAIN = 8;
+  private static final int FEWEST_THAT_SCATTER = 8;
 
   /** So many, where a ball is expected. */
-  private static final int RECOGNISED = 3;
+  private static final int FEWEST_OF_KNOWN_BALL = 3;
 
   /** A ball that is kicked and seen by a camera of the league moves on a line to within this over some frames (rms per axis), m. */
-  private static final double SMOOTH = 0.005;
+  private static final double MOST_SCATTER = 0.005;
 
   /** On a coarser grid no kick can be told from a step, m. */
-  private static final double COARSEST = 0.1;
+  private static final double COARSEST_GRID = 0.1;
 
   /** No ball is faster: the rules allow 6.5 m/s, chips project faster, m/s. */
   private static final double MAX_SPEED = 10;
 
   /** And none is found again farther from where it was expected, m. */
-  private static final double FARTHEST = 0.45;
+  private static final double FARTHEST_FOUND_AGAIN = 0.45;
 
   /**
    * Largest number of candidates, and of tracks. Ten false balls in each frame, far more than bad lighting causes, leave some thirty candidates; more mean a broken vision or an attack, and the time for a frame must stay bounded.
    */
-  private static final int MOST = 200;
+  private static final int MOST_TRACKS = 200;
 
   /** A detection that may continue a track; the distance is relative to the track's gate. */
   private record Pair(BallTrack track, BallDetection ball, double relative) {}
@@ -75,7 +75,6 @@ final class CameraTracks {
   private final List<BallTrack> tracks = new ArrayList<>();
   private final List<BallTrack> candidates = new ArrayList<>();
   private final List<BallDetection> offered = new ArrayList<>();
-  private final List<BallTrack> updated = new ArrayList<>();
   private final List<Pair> pairs = new ArrayList<>();
   private final LineFit line = new LineFit();
   private final LineFit after = new LineFit();
@@ -83,7 +82,7 @@ final class CameraTracks {
   private int frame;
 
   /** Least difference of two places reported one after the other, m: where positions are rounded, a ball moves in steps of it; else it soon is next to nothing. */
-  private double resolution = COARSEST;
+  private double resolution = COARSEST_GRID;
 
   CameraTracks(int camera) {
     this.camera = camera;
@@ -123,13 +122,10 @@ final class CameraTracks {
     tracks.removeIf(track -> t - track.lastTime() > FORGET);
     candidates.removeIf(
         candidate ->
-            frame - candidate.lastFrame() > SKIPPED || t - candidate.lastTime() > FORGET_CANDIDATE);
-    updated.clear();
-    assignNearest(t, tracks);
-    List<BallTrack> continued = List.copyOf(updated);
-    updated.clear();
-    assignNearest(t, candidates);
-    List<BallTrack> grown = List.copyOf(updated);
+            frame - candidate.lastFrame() > MOST_FRAMES_APART
+                || t - candidate.lastTime() > FORGET_CANDIDATE);
+    List<BallTrack> continued = assignNearest(t, tracks);
+    List<BallTrack> grown = assignNearest(t, candidates);
     for (BallDetection ball : offered) {
       BallTrack candidate = new BallTrack(camera);
       add(candidate, t, ball);
@@ -142,15 +138,16 @@ final class CameraTracks {
     forgetTooMany(tracks);
   }
 
-  /** One pair at a time, the nearest first; what is left stays offered. */
-  private void assignNearest(double t, List<BallTrack> to) {
+  /** One pair at a time, the nearest first; what is left stays offered. Returns the tracks that got a detection. */
+  private List<BallTrack> assignNearest(double t, List<BallTrack> to) {
     pairs.clear();
     for (BallTrack track : to) {
       findPairs(t, track);
     }
     if (pairs.isEmpty()) {
-      return;
+      return List.of();
     }
+    List<BallTrack> continued = new ArrayList<>();
     // Stable: among equals the older track and the earlier detection come first.
     pairs.sort(Comparator.comparingDouble(Pair::relative));
     Set<BallTrack> given = Collections.newSetFromMap(new IdentityHashMap<>());
@@ -160,14 +157,16 @@ final class CameraTracks {
         given.add(pair.track);
         taken.add(pair.ball);
         add(pair.track, t, pair.ball);
+        continued.add(pair.track);
       }
     }
     offered.removeIf(taken::contains);
+    return continued;
   }
 
   /** A track with every detection that lies where it was heading. */
   private void findPairs(double t, BallTrack track) {
-    if (frame - track.lastFrame() > HIDDEN) {
+    if (frame - track.lastFrame() > MOST_FRAMES_HIDDEN) {
       return;
     }
     double ahead = t - track.lastTime();
@@ -178,8 +177,10 @@ final class CameraTracks {
     if (predicted) {
       double calm =
           line.count() == 2
-              ? NEAR_TWO + resolution
-              : NEAR + resolution + SCATTER * (line.rms() + ahead * line.velocityError());
+              ? MOST_OFF_TWO_POINTS + resolution
+              : MOST_OFF_LINE
+                  + resolution
+                  + MOST_STANDARD_ERRORS * (line.rms() + ahead * line.velocityError());
       gate = Math.min(gate, calm);
     }
     for (BallDetection ball : offered) {
@@ -201,17 +202,17 @@ final class CameraTracks {
 
   /** How far a ball may be from where it was heading, after a time in which it may have been kicked, m. */
   private double kickable(double ahead) {
-    return 0.03 + resolution + Math.min(FARTHEST, MAX_SPEED * ahead);
+    return 0.03 + resolution + Math.min(FARTHEST_FOUND_AGAIN, MAX_SPEED * ahead);
   }
 
   private void believe(BallTrack candidate, Consumer<BallTrack> follow) {
     Believed seen = recognise(candidate);
     if (seen == null) {
       int oldest =
-          candidate.size() < CERTAIN
-              ? onLine(candidate, SMOOTH + resolution)
+          candidate.size() < FEWEST_THAT_SCATTER
+              ? onLine(candidate, MOST_SCATTER + resolution)
               : candidate.size() - 1;
-      if (oldest < BELIEVED - 1) {
+      if (oldest < FEWEST_OF_NEW_BALL - 1) {
         return;
       }
       seen = new Believed(new BallTrack(camera), oldest);
@@ -235,17 +236,21 @@ final class CameraTracks {
 
   /** The track that a candidate continues, the nearest one; null when there is none. */
   private Believed recognise(BallTrack candidate) {
-    if (candidate.size() < RECOGNISED) {
+    if (candidate.size() < FEWEST_OF_KNOWN_BALL) {
       return null;
     }
     Believed nearest = null;
     double best = 1;
     for (BallTrack track : tracks) {
-      boolean hidden = candidate.time(RECOGNISED - 1) > track.lastTime();
+      boolean hidden = candidate.time(FEWEST_OF_KNOWN_BALL - 1) > track.lastTime();
       if (hidden && heading(track)) {
-        int oldest = onLine(candidate, Math.max(SMOOTH + resolution, SCATTER * line.rms()));
+        int oldest =
+            onLine(
+                candidate, Math.max(MOST_SCATTER + resolution, MOST_STANDARD_ERRORS * line.rms()));
         double relative =
-            oldest < RECOGNISED - 1 ? Double.POSITIVE_INFINITY : relative(track, candidate, oldest);
+            oldest < FEWEST_OF_KNOWN_BALL - 1
+                ? Double.POSITIVE_INFINITY
+                : relative(track, candidate, oldest);
         if (relative < best) {
           best = relative;
           nearest = new Believed(track, oldest);
@@ -276,12 +281,13 @@ final class CameraTracks {
     double velocityError = Math.hypot(line.velocityError(), after.velocityError());
     double scatter = Math.hypot(line.rms(), hidden * velocityError);
     return Math.max(
-        off / (NEAR + resolution + SCATTER * scatter), Math.hypot(x, y) / kickable(hidden));
+        off / (MOST_OFF_LINE + resolution + MOST_STANDARD_ERRORS * scatter),
+        Math.hypot(x, y) / kickable(hidden));
   }
 
   /** When there are too many, those with the fewest detections are forgotten, among equals the oldest: white spots come and go, a ball stays. */
   private static void forgetTooMany(List<BallTrack> of) {
-    if (of.size() <= MOST) {
+    if (of.size() <= MOST_TRACKS) {
       return;
     }
     List<BallTrack> ranked = new ArrayList<>(of);
@@ -290,7 +296,7 @@ final class CameraTracks {
             .reversed()
             .thenComparing(Comparator.comparingDouble(BallTrack::lastTime).reversed()));
     Set<BallTrack> kept = Collections.newSetFromMap(new IdentityHashMap<>());
-    kept.addAll(ranked.subList(0, MOST));
+    kept.addAll(ranked.subList(0, MOST_TRACKS));
     of.removeIf(track -> !kept.contains(track));
   }
 
@@ -300,7 +306,6 @@ final class CameraTracks {
       finer(Math.abs(ball.y() - track.y(0)));
     }
     track.add(t, ball, frame);
-    updated.add(track);
   }
 
   /** Two places that a camera tells apart are farther apart than its resolution. */
