@@ -6,6 +6,7 @@ import fieldcal.fit.joint.SharedSolver;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.function.Consumer;
 
@@ -14,9 +15,8 @@ public final class ModelFitter {
   /** By how much chi-square must fall for hops below the league's lowest; noise reaches that once in ten thousand recordings. */
   private static final double LOW_HOP_PRICE = 15;
 
-  /** A lowest hop between the league's and the engines', m: a bounce takes three quarters of the height, so that each of the three has one bounce more than the one before it, and what a fit finds by itself is one more or less. */
-  private static final double HOP_IN_BETWEEN =
-      Math.sqrt(ChipModel.MIN_HOP_HEIGHT * ChipModel.ENGINE_MIN_HOP_HEIGHT);
+  /** Lowest hops between the league's and the engines', as shares of the way in logarithms. A bounce takes about three quarters of the height, so that the steps are half a bounce: with a whole one, each chip could have one bounce too many or too few, and fits that settle some hold the others there. */
+  private static final double[] IN_BETWEEN = {0.25, 0.5, 0.75};
 
   /** Share of what is left that hops in between must explain: they are nobody's model, and where bounces follow another law they also explain a part of it. */
   private static final double IN_BETWEEN_SHARE = 0.5;
@@ -102,18 +102,34 @@ public final class ModelFitter {
    * @return the same where hops are already as low, where a law of impacts gives the lowest hop, and where lower hops explain too little of what is left
    */
   public FittedModel withLowHops(FittedModel from, SharedSolver solver) {
-    FittedModel between = withHops(HOP_IN_BETWEEN, IN_BETWEEN_SHARE, from, solver);
-    FittedModel low = withHops(ChipModel.ENGINE_MIN_HOP_HEIGHT, LOW_HOP_SHARE, from, solver);
+    FittedModel between = withHopsInBetween(from, solver);
+    FittedModel low =
+        better(withHops(ChipModel.ENGINE_MIN_HOP_HEIGHT, from, solver), from, LOW_HOP_SHARE);
     boolean closer = between.evenCost() + LOW_HOP_PRICE < low.evenCost();
     return low == from || closer ? between : low;
   }
 
-  private FittedModel withHops(double lowest, double share, FittedModel from, SharedSolver solver) {
+  /** The best of the fits with hops in between; the same where that explains too little, or where nothing is left. */
+  private FittedModel withHopsInBetween(FittedModel from, SharedSolver solver) {
+    if (left(from) < LOW_HOP_PRICE) {
+      return from;
+    }
+    double high = ChipModel.MIN_HOP_HEIGHT;
+    double low = ChipModel.ENGINE_MIN_HOP_HEIGHT;
+    FittedModel best =
+        Arrays.stream(IN_BETWEEN)
+            .mapToObj(share -> withHops(high * Math.pow(low / high, share), from, solver))
+            .min(Comparator.comparingDouble(FittedModel::evenCost))
+            .orElse(from);
+    return better(best, from, IN_BETWEEN_SHARE);
+  }
+
+  private FittedModel withHops(double lowest, FittedModel from, SharedSolver solver) {
     if (!canHop(lowest, from)) {
       return from;
     }
     EffectModel start = from.resumed().withLowestHop(lowest);
-    return better(fit(start, from, Weighing.ALIKE, solver.startingByRule()), from, share);
+    return fit(start, from, Weighing.ALIKE, solver.startingByRule());
   }
 
   private static boolean canHop(double lowest, FittedModel fitted) {
@@ -125,9 +141,13 @@ public final class ModelFitter {
   }
 
   private static FittedModel better(FittedModel low, FittedModel high, double share) {
-    double left = high.evenCost() - high.solution().rows();
-    double least = Math.max(LOW_HOP_PRICE, share * left);
+    double least = Math.max(LOW_HOP_PRICE, share * left(high));
     return low.evenCost() + least < high.evenCost() ? low : high;
+  }
+
+  /** What a fit leaves beyond noise, in units of chi-square. */
+  private static double left(FittedModel fitted) {
+    return fitted.evenCost() - fitted.solution().rows();
   }
 
   private FittedModel fitAlone(EffectModel model, SharedSolver solver) {
