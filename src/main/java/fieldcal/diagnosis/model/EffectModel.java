@@ -3,6 +3,7 @@ package fieldcal.diagnosis.model;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.Parameter;
+import fieldcal.effect.Area;
 import fieldcal.effect.Arena;
 import fieldcal.effect.BallKnowledge;
 import fieldcal.effect.Effect;
@@ -13,6 +14,7 @@ import fieldcal.fit.joint.SharedProblem.Prior;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * The simple ball model with effects: the layout of its global parameters (those of the ball first, then those of each component), and the state that results from them. Immutable.
@@ -274,16 +276,26 @@ public final class EffectModel implements SharedModel<ModelState> {
   }
 
   @Override
-  public ModelState stepped(double[] globals, int index, double step) {
-    ModelState state = SharedModel.super.stepped(globals, index, step).sharing(at(globals));
+  public ModelState stepped(ModelState here, double[] globals, int index, double step) {
+    double[] moved = globals.clone();
+    moved[index] += step;
+    // Only the effect that changes is made again: one with many coefficients takes long to make.
+    List<Effect> fixed = new ArrayList<>(here.fixed());
+    Optional<Area> reach = Optional.empty();
     int k = BALL;
+    int i = 0;
     for (Component c : components) {
       if (index >= k && index < k + c.size()) {
-        return c.reach(globals, k, index - k).map(state::differingIn).orElse(state);
+        reach = c.reach(globals, k, index - k);
+        if (!c.isPerKick()) {
+          fixed.set(i, c.effect(moved, k));
+        }
       }
       k += c.size();
+      i += c.isPerKick() ? 0 : 1;
     }
-    return state;
+    ModelState state = here.changed(flat(moved), chip(moved), fixed, ownEffects(moved));
+    return reach.map(state::differingIn).orElse(state);
   }
 
   private List<OwnEffect> ownEffects(double[] globals) {

@@ -21,6 +21,9 @@ public final class ModelState {
   private final MeasurementEffects measurement;
   private final List<OwnEffect> random;
 
+  /** Those that are the same for all kicks, in the order of the model's components. */
+  private final List<Effect> fixed;
+
   /** Where a ball must have been for this to differ from the state that it is compared with; null = anywhere. */
   private final Area reach;
 
@@ -30,12 +33,14 @@ public final class ModelState {
       MotionEffects motion,
       MeasurementEffects measurement,
       List<OwnEffect> random,
+      List<Effect> fixed,
       Area reach) {
     this.flat = flat;
     this.chip = chip;
     this.motion = motion;
     this.measurement = measurement;
     this.random = random;
+    this.fixed = fixed;
     this.reach = reach;
   }
 
@@ -51,6 +56,7 @@ public final class ModelState {
         MotionEffects.of(pick(effects, MotionEffect.class)),
         MeasurementEffects.of(observers, pick(effects, MeasurementEffect.class)),
         random,
+        effects,
         null);
   }
 
@@ -81,23 +87,31 @@ public final class ModelState {
         moving.isEmpty() ? motion : motion.plus(moving),
         measures ? measurement.under(measuring) : measurement,
         random,
+        fixed,
         more.size() == 1 ? more.get(0).reach().orElse(null) : null);
   }
 
-  /** The same, sharing with another state what both have in common, so that it need not be computed or compared again. */
-  ModelState sharing(ModelState other) {
+  /** The same with other ball models and other effects of as many components; shares what stays as it is, so that it need not be computed or compared again. */
+  ModelState changed(FlatModel flat, ChipModel chip, List<Effect> fixed, List<OwnEffect> random) {
+    List<MotionEffect> moving = pick(fixed, MotionEffect.class);
     return new ModelState(
         flat,
         chip,
-        motion.effects().equals(other.motion.effects()) ? other.motion : motion,
-        other.measurement.under(measurement.effects()),
+        moving.equals(motion.effects()) ? motion : MotionEffects.of(moving),
+        measurement.under(pick(fixed, MeasurementEffect.class)),
         random,
-        reach);
+        fixed,
+        null);
+  }
+
+  /** Effects that are the same for all kicks, in the order of the model's components. */
+  List<Effect> fixed() {
+    return fixed;
   }
 
   /** The same, known to differ from the state that it is compared with for balls that came there. */
   ModelState differingIn(Area area) {
-    return new ModelState(flat, chip, motion, measurement, random, area);
+    return new ModelState(flat, chip, motion, measurement, random, fixed, area);
   }
 
   /** Where a ball must have been for this to differ from the state that it is compared with; empty = anywhere. */

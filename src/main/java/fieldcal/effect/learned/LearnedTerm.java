@@ -223,9 +223,10 @@ public abstract sealed class LearnedTerm implements Effect
 
   @Override
   public final boolean equals(Object other) {
-    return other instanceof LearnedTerm term
-        && family.equals(term.family)
-        && Arrays.equals(coefficients, term.coefficients);
+    return this == other
+        || other instanceof LearnedTerm term
+            && family.equals(term.family)
+            && Arrays.equals(coefficients, term.coefficients);
   }
 
   @Override

@@ -2,6 +2,7 @@ package fieldcal.effect.learned;
 
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * Cubic B-splines on equally spaced knots, level at both ends of the range and constant outside: those that reach over an end are folded back, so that
@@ -25,6 +26,10 @@ public record Spline(double from, double to, int knots, boolean centred) impleme
 
   /** Steps of an integrator per interval between knots; chosen: a path under a term as rough as its knots allow is then right to a twentieth of a millimetre after six seconds (tested). */
   private static final double STEPS_PER_INTERVAL = 2;
+
+  /** The waves of each order at each knot, by the number of knots: a joint fit makes thousands of curves. */
+  private static final double[][][] COSINES =
+      IntStream.rangeClosed(0, MOST_KNOTS).mapToObj(Spline::cosines).toArray(double[][][]::new);
 
   /** Six times the four uniform cubic B-splines that are not zero in an interval, by powers of its share. */
   private static final double[][] POWERS = {
@@ -103,7 +108,17 @@ public record Spline(double from, double to, int knots, boolean centred) impleme
 
   /** The wave of an order at a knot. */
   double cosine(int order, int knot) {
-    return Math.cos(Math.PI * order * knot / (knots - 1));
+    return COSINES[knots][order][knot];
+  }
+
+  private static double[][] cosines(int knots) {
+    double[][] cosines = new double[knots][knots];
+    for (int order = 0; order < knots; order++) {
+      for (int knot = 0; knot < knots; knot++) {
+        cosines[order][knot] = Math.cos(Math.PI * order * knot / (knots - 1));
+      }
+    }
+    return cosines;
   }
 
   @Override

@@ -132,10 +132,12 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
     int ny = y.knots();
     double[][] control = new double[nx + 2][ny + 2];
     for (int i = 0; i < nx; i++) {
-      for (int j = 0; j < ny; j++) {
-        control[i + 1][j + 1] =
-            centred ? sumOfWaves(coefficients, from, i, j) : coefficients[from + i * ny + j];
+      if (!centred) {
+        System.arraycopy(coefficients, from + i * ny, control[i + 1], 1, ny);
       }
+    }
+    if (centred) {
+      addWaves(coefficients, from, control);
     }
     for (int i = 1; i <= nx; i++) {
       control[i][0] = control[i][2];
@@ -146,13 +148,27 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
     return control;
   }
 
-  private double sumOfWaves(double[] coefficients, int from, int i, int j) {
-    double sum = 0;
+  /** The sums of all waves at the knots: first along y, then along x. */
+  private void addWaves(double[] coefficients, int from, double[][] control) {
+    int nx = x.knots();
     int ny = y.knots();
-    for (int n = 1; n < x.knots() * ny; n++) {
-      sum += coefficients[from + n - 1] * x.cosine(n / ny, i) * y.cosine(n % ny, j);
+    double[] alongY = new double[ny];
+    for (int m = 0; m < nx; m++) {
+      Arrays.fill(alongY, 0);
+      // The first wave of all is the constant, which has no coefficient.
+      for (int n = m == 0 ? 1 : 0; n < ny; n++) {
+        double c = coefficients[from + m * ny + n - 1];
+        for (int j = 0; j < ny && c != 0; j++) {
+          alongY[j] += c * y.cosine(n, j);
+        }
+      }
+      for (int i = 0; i < nx; i++) {
+        double alongX = x.cosine(m, i);
+        for (int j = 0; j < ny; j++) {
+          control[i + 1][j + 1] += alongX * alongY[j];
+        }
+      }
     }
-    return sum;
   }
 
   /** Sixteen coefficients for each cell, of the powers of its shares along x and y. */

@@ -453,20 +453,30 @@ final class Descent<S> {
 
   /** The information of the free global parameters, the kicks' own ones eliminated; the blocks must be factored. */
   private double[][] information() {
-    int n = free.length;
-    double[][] h = new double[n][n];
-    for (KickBlock block : blocks) {
-      double[][] s = block.reducedMatrix();
-      for (int i = 0; i < n; i++) {
-        for (int j = 0; j < n; j++) {
-          h[i][j] += s[i][j];
-        }
+    double[][] h = new double[free.length][];
+    IntStream.range(0, h.length)
+        .parallel()
+        .forEach(
+            i -> {
+              h[i] = new double[i + 1];
+              for (KickBlock block : blocks) {
+                block.addReducedRow(i, h[i]);
+              }
+              h[i][i] += problem.priors().get(free[i]).precision();
+            });
+    return mirrored(h);
+  }
+
+  private static double[][] mirrored(double[][] lower) {
+    int n = lower.length;
+    double[][] full = new double[n][];
+    for (int i = 0; i < n; i++) {
+      full[i] = Arrays.copyOf(lower[i], n);
+      for (int j = i + 1; j < n; j++) {
+        full[i][j] = lower[j][i];
       }
     }
-    for (int i = 0; i < n; i++) {
-      h[i][i] += problem.priors().get(free[i]).precision();
-    }
-    return h;
+    return full;
   }
 
   /** The damped step of the free global parameters; null when the equations stay singular. */
@@ -493,11 +503,14 @@ final class Descent<S> {
   private double[] step(double[][] given) {
     int n = free.length;
     while (true) {
+      double lambda = damping.lambda();
       double[] g = new double[n];
-      for (int k = 0; k < blocks.length; k++) {
-        KickBlock block = blocks[k];
-        block.factor(damping.lambda(), given[k]);
-        double[] t = block.reducedGradient();
+      for (double[] t :
+          eachKick(
+              k -> {
+                blocks[k].factor(lambda, given[k]);
+                return blocks[k].reducedGradient();
+              })) {
         for (int i = 0; i < n; i++) {
           g[i] += t[i];
         }

@@ -231,11 +231,19 @@ final class KickBlock {
     solve(solvedGradient);
     solved = new double[shared][own];
     for (int k = 0; k < shared; k++) {
+      if (isZero(k)) {
+        continue;
+      }
       for (int i = 0; i < own; i++) {
         solved[k][i] = isGiven(given[i]) ? 0 : b[i][k];
       }
       solve(solved[k]);
     }
+  }
+
+  /** Whether a shared column does not concern this kick. */
+  private boolean isZero(int k) {
+    return c[k][k] == 0;
   }
 
   private static boolean isGiven(double step) {
@@ -263,16 +271,30 @@ final class KickBlock {
   double[][] reducedMatrix() {
     double[][] s = new double[shared][shared];
     for (int k = 0; k < shared; k++) {
-      for (int m = 0; m <= k; m++) {
-        double sum = c[k][m];
-        for (int i = 0; i < own; i++) {
-          sum -= b[i][k] * solved[m][i];
-        }
-        s[k][m] = sum;
-        s[m][k] = sum;
+      addReducedRow(k, s[k]);
+      for (int m = 0; m < k; m++) {
+        s[m][k] = s[k][m];
       }
     }
     return s;
+  }
+
+  /** Adds a row of the same, as far as the diagonal. */
+  void addReducedRow(int k, double[] row) {
+    if (isZero(k)) {
+      return;
+    }
+    double[] ofOwn = new double[own];
+    for (int i = 0; i < own; i++) {
+      ofOwn[i] = b[i][k];
+    }
+    for (int m = 0; m <= k; m++) {
+      double sum = c[k][m];
+      for (int i = 0; i < own; i++) {
+        sum -= ofOwn[i] * solved[m][i];
+      }
+      row[m] += sum;
+    }
   }
 
   double[] reducedGradient() {

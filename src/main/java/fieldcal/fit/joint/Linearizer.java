@@ -82,7 +82,7 @@ final class Linearizer<S> {
     S centre = problem.model().at(values);
     List<Probe<S>> probes = new ArrayList<>();
     for (int f : free) {
-      probes.add(probe(f));
+      probes.add(probe(centre, f));
     }
     probes.addAll(further);
     IntStream.range(0, kicks.size())
@@ -103,27 +103,27 @@ final class Linearizer<S> {
             });
   }
 
-  private Probe<S> probe(int index) {
+  private Probe<S> probe(S centre, int index) {
     Parameter p = problem.globals().get(index);
     double value = values[index];
     if (value != 0) {
       double h = DERIVATIVE_STEP * p.scale();
-      return towards(index, value + h <= p.max() ? h : -h);
+      return towards(centre, index, value + h <= p.max() ? h : -h);
     }
     double h = STEP_FROM_ABSENCE * p.scale();
     if (h > p.max()) {
-      return towards(index, -h);
+      return towards(centre, index, -h);
     }
     return -h < p.min()
-        ? towards(index, h)
-        : new Probe<>(stepped(index, -h), stepped(index, h), 2 * h);
+        ? towards(centre, index, h)
+        : new Probe<>(stepped(centre, index, -h), stepped(centre, index, h), 2 * h);
   }
 
-  private Probe<S> towards(int index, double step) {
-    return new Probe<>(null, stepped(index, step), step);
+  private Probe<S> towards(S centre, int index, double step) {
+    return new Probe<>(null, stepped(centre, index, step), step);
   }
 
-  private S stepped(int index, double step) {
-    return problem.model().stepped(values, index, step);
+  private S stepped(S centre, int index, double step) {
+    return problem.model().stepped(centre, values, index, step);
   }
 }
