@@ -16,6 +16,7 @@ import fieldcal.effect.EffectCatalogue;
 import fieldcal.effect.learned.LearnedLibrary;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.UnaryOperator;
 
 /** Searches for terms without a name that describe what a model leaves: smooth curves over everything that is recorded, values that differ from kick to kick by chance, periodic terms, and maps of the carpet. Not thread-safe. */
 final class CurveSearch {
@@ -34,20 +35,37 @@ final class CurveSearch {
   private final double sessionStart;
   private final long seed;
 
+  /** Fits what a search found once more, all kicks alike. */
+  private final UnaryOperator<FittedModel> refit;
+
   /**
    * @param problem the screened kicks and what may explain them
    * @param search for components
    * @param failed told of searches that fail
    */
   CurveSearch(DiagnosisCase problem, SampledSearch search, FailedStages failed) {
+    this(problem, search, failed, m -> search.alike(problem.fitter(), m));
+  }
+
+  private CurveSearch(
+      DiagnosisCase problem,
+      SampledSearch search,
+      FailedStages failed,
+      UnaryOperator<FittedModel> refit) {
     this.search = search;
     this.failed = failed;
+    this.refit = refit;
     fitter = problem.fitter();
     arena = problem.arena();
     catalogue = problem.catalogue();
     settings = problem.settings();
     sessionStart = problem.problem().sessionStart();
     seed = problem.seed();
+  }
+
+  /** A search whose models are fitted coarsely, for a first comparison: the values that each kick has of its own take long to settle beside a map. */
+  static CurveSearch coarse(DiagnosisCase problem, SampledSearch search, FailedStages failed) {
+    return new CurveSearch(problem, search, failed, m -> search.nearlyAlike(problem.fitter(), m));
   }
 
   /**
@@ -191,6 +209,6 @@ final class CurveSearch {
       return start;
     }
     FittedModel found = search.search(fitter, start, new Dictionary(effects, arena), most, false);
-    return search.alike(fitter, found);
+    return refit.apply(found);
   }
 }

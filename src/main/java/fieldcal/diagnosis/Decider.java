@@ -41,8 +41,9 @@ final class Decider {
     Weighed named = none ? simple : choice.of(found);
     UnnamedTerms unnamed = new UnnamedTerms(at, choice, heldBase, curves, progress);
     Weighed shaped = new RivalForms(at, choice).against(named);
+    CurveSearch coarse = CurveSearch.coarse(at, search, failed);
     Weighed best =
-        new RivalCurves(at, choice, curves, unnamed, progress).against(unnamed.beside(shaped));
+        new RivalCurves(at, choice, coarse, unnamed, progress).against(unnamed.beside(shaped));
     if (best.held().predictsWorseThan(heldBase, at.seed())) {
       // A law that is right does not predict worse from the beginning of a kick.
       best = best.nameless(j -> j.effect() instanceof MotionEffect);

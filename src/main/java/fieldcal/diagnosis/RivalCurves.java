@@ -7,9 +7,11 @@ import fieldcal.diagnosis.decision.Judgement;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.search.Price;
 import fieldcal.diagnosis.validation.HoldOut;
 import fieldcal.diagnosis.validation.Leftover;
+import fieldcal.fit.joint.SharedSolver;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -18,6 +20,7 @@ import java.util.stream.Stream;
  */
 final class RivalCurves {
   private final ModelFitter fitter;
+  private final SharedSolver solver;
   private final DecisionSettings settings;
   private final long seed;
   private final ModelChoice choice;
@@ -28,7 +31,7 @@ final class RivalCurves {
   /**
    * @param problem the screened kicks and what may explain them
    * @param choice which of the components that are found stay
-   * @param curves search for learned terms
+   * @param curves search for learned terms, which may fit coarsely: what wins is fitted again
    * @param unnamed what describes the rest
    * @param progress told in words what is being done
    */
@@ -43,6 +46,7 @@ final class RivalCurves {
     this.unnamed = unnamed;
     this.progress = progress;
     fitter = problem.fitter();
+    solver = problem.solver();
     settings = problem.settings();
     seed = problem.seed();
   }
@@ -75,7 +79,11 @@ final class RivalCurves {
   }
 
   private Weighed against(Weighed named, List<Judgement> group) {
-    FittedModel curved = curved(named, group);
+    FittedModel coarse = curved(named, group);
+    if (explainsLess(coarse, named, group)) {
+      return named;
+    }
+    FittedModel curved = fitter.fit(coarse.resumed(), coarse, Weighing.ALIKE, solver);
     if (explainsLess(curved, named, group)) {
       return named;
     }

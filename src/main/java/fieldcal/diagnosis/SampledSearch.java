@@ -117,4 +117,15 @@ final class SampledSearch {
   FittedModel alike(ModelFitter fitter, FittedModel found) {
     return fitter.fit(found.resumed(), found, Weighing.ALIKE, solver);
   }
+
+  /**
+   * The same with the coarse tolerance of a search, where much decides.
+   *
+   * @param fitter of the kicks
+   * @param found by a search of the same kicks
+   * @return the fit
+   */
+  FittedModel nearlyAlike(ModelFitter fitter, FittedModel found) {
+    return fitter.fit(found.resumed(), found, Weighing.ALIKE, coarse);
+  }
 }
