@@ -152,7 +152,7 @@ public final class CauseSearch {
     }
     Simplification simplification = new Simplification(refits, dictionary, trace);
     if (!revises) {
-      return simplification.withLawForOther(best).orElse(best);
+      return simplification.withLawForOther(best, start.model().components()).orElse(best);
     }
     if (free || best != start) {
       // What an earlier search has exchanged and moved cannot be improved now.

@@ -55,7 +55,8 @@ final class Simplification {
     FittedModel best = model;
     for (int round = 0; round < rounds; round++) {
       FittedModel at = best;
-      Optional<FittedModel> simpler = withLawForOther(at).or(() -> once(at, set -> true));
+      Optional<FittedModel> simpler =
+          withLawForOther(at, List.of()).or(() -> once(at, set -> true));
       if (simpler.isEmpty()) {
         return best;
       }
@@ -76,8 +77,12 @@ final class Simplification {
     }
   }
 
-  /** The model with a law in place of another component, if the law, fitted again from its starts, explains as much; empty if none does. Before, the two may have shared what the law alone explains. */
-  Optional<FittedModel> withLawForOther(FittedModel best) {
+  /**
+   * The model with a law in place of another component, if the law, fitted again from its starts, explains as much; empty if none does. Before, the two may have shared what the law alone explains.
+   *
+   * @param held components that stay as they are
+   */
+  Optional<FittedModel> withLawForOther(FittedModel best, List<Component> held) {
     List<Component> had = best.model().components();
     List<Component> replaceable =
         had.stream()
@@ -88,7 +93,10 @@ final class Simplification {
       return Optional.empty();
     }
     List<Effect> laws = new ArrayList<>(dictionary.laws(best.model()));
-    had.stream().filter(Component::isLaw).map(Component::template).forEach(laws::add);
+    had.stream()
+        .filter(c -> c.isLaw() && held.stream().noneMatch(c::isSameCause))
+        .map(Component::template)
+        .forEach(laws::add);
     return laws.stream()
         .flatMap(law -> law.starts().stream())
         .flatMap(start -> withLawForOther(best, replaceable, start).stream())
