@@ -268,14 +268,14 @@ final class ModelChoice {
     Weighed lean = best;
     while (true) {
       List<Judgement> idle = lean.judged.stream().filter(this::isIdle).toList();
-      Optional<Judgement> weakest =
-          idle.stream().min(Comparator.comparingDouble(Judgement::evidence));
-      if (weakest.isEmpty()) {
+      // What harms the prediction of held-out kicks may well explain those that it was fitted to.
+      Optional<Judgement> worst = idle.stream().min(Comparator.comparingDouble(j -> j.gain()[1]));
+      if (worst.isEmpty()) {
         return lean;
       }
       Weighed all = reweighed(lean, idle);
       Weighed next =
-          all.isAsGoodAs(best, settings.formGain()) ? all : reweighed(lean, List.of(weakest.get()));
+          all.isAsGoodAs(best, settings.formGain()) ? all : reweighed(lean, List.of(worst.get()));
       if (!next.isAsGoodAs(best, settings.formGain())) {
         return lean;
       }
