@@ -39,25 +39,26 @@ final class KickBlock {
   private double[] solvedGradient;
 
   KickBlock(int own, int shared) {
+    this(own, shared, new double[shared][shared]);
+  }
+
+  private KickBlock(int own, int shared, double[][] c) {
     this.own = own;
     this.shared = shared;
+    this.c = c;
     a = new double[own][own];
     b = new double[own][shared];
-    c = new double[shared][shared];
     ga = new double[own];
     gc = new double[shared];
     l = new double[own][own];
   }
 
-  /** A copy, to be tied and factored by itself. */
+  /** A copy, to be tied and factored by itself. The products of shared columns are the most by far; their rows are copied when they change. */
   KickBlock(KickBlock of) {
-    this(of.own, of.shared);
+    this(of.own, of.shared, of.c.clone());
     for (int i = 0; i < own; i++) {
       System.arraycopy(of.a[i], 0, a[i], 0, own);
       System.arraycopy(of.b[i], 0, b[i], 0, shared);
-    }
-    for (int k = 0; k < shared; k++) {
-      System.arraycopy(of.c[k], 0, c[k], 0, shared);
     }
     System.arraycopy(of.ga, 0, ga, 0, own);
     System.arraycopy(of.gc, 0, gc, 0, shared);
@@ -186,6 +187,7 @@ final class KickBlock {
     tieOwn(i, distance, precision);
     if (k >= 0) {
       b[i][k] -= precision;
+      c[k] = c[k].clone();
       c[k][k] += precision;
       gc[k] += precision * distance;
     }

@@ -2,6 +2,7 @@ package fieldcal.fit.joint;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * Normal equations of a solution with further columns beside its free global parameters: what each column, or any set of them, would gain to first order, and how evenly over the kicks. All kicks' own parameters are eliminated.
@@ -23,15 +24,18 @@ public final class ScoreSystem {
     int n = gradients[0].length;
     total = new double[n][n];
     gradient = new double[n];
-    for (int k = 0; k < perKick.length; k++) {
-      for (int i = 0; i < n; i++) {
-        gradient[i] += gradients[k][i];
-        double[] row = perKick[k][i];
-        for (int j = 0; j < n; j++) {
-          total[i][j] += row[j];
-        }
-      }
-    }
+    IntStream.range(0, n)
+        .parallel()
+        .forEach(
+            i -> {
+              for (int k = 0; k < perKick.length; k++) {
+                gradient[i] += gradients[k][i];
+                double[] row = perKick[k][i];
+                for (int j = 0; j < n; j++) {
+                  total[i][j] += row[j];
+                }
+              }
+            });
   }
 
   /** Of kicks' normal equations, the first columns being those of the solution; takes the blocks apart. */
@@ -39,13 +43,16 @@ public final class ScoreSystem {
     double[][][] s = new double[blocks.length][][];
     double[][] t = new double[blocks.length][];
     double[] costs = new double[blocks.length];
-    for (int k = 0; k < blocks.length; k++) {
-      blocks[k].factor(0);
-      s[k] = blocks[k].reducedMatrix();
-      t[k] = blocks[k].reducedGradient();
-      costs[k] = blocks[k].reducedCost();
-      blocks[k] = null;
-    }
+    IntStream.range(0, blocks.length)
+        .parallel()
+        .forEach(
+            k -> {
+              blocks[k].factor(0);
+              s[k] = blocks[k].reducedMatrix();
+              t[k] = blocks[k].reducedGradient();
+              costs[k] = blocks[k].reducedCost();
+              blocks[k] = null;
+            });
     return new ScoreSystem(base, s, t, costs);
   }
 
