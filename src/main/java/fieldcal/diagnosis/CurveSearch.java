@@ -68,6 +68,11 @@ final class CurveSearch {
     return new CurveSearch(problem, search, failed, m -> search.nearlyAlike(problem.fitter(), m));
   }
 
+  /** The same model fitted precisely, all kicks alike; as it is where that fails. */
+  FittedModel settled(FittedModel found) {
+    return failed.guarded("the fit of curves", found, () -> search.alike(fitter, found));
+  }
+
   /**
    * Curves or laws, and maps for what these leave.
    *

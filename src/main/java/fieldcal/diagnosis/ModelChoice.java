@@ -268,7 +268,7 @@ final class ModelChoice {
     Weighed lean = best;
     while (true) {
       List<Judgement> idle = lean.judged.stream().filter(this::isIdle).toList();
-      // What harms the prediction of held-out kicks may well explain those that it was fitted to.
+      // What makes held-out kicks worse may well explain those that it was fitted to.
       Optional<Judgement> worst = idle.stream().min(Comparator.comparingDouble(j -> j.gain()[1]));
       if (worst.isEmpty()) {
         return lean;

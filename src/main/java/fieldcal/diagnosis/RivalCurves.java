@@ -7,11 +7,9 @@ import fieldcal.diagnosis.decision.Judgement;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
-import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.search.Price;
 import fieldcal.diagnosis.validation.HoldOut;
 import fieldcal.diagnosis.validation.Leftover;
-import fieldcal.fit.joint.SharedSolver;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -19,8 +17,10 @@ import java.util.stream.Stream;
  * The stage that lets curves compete with effects that have a place. A region, a seam or an instant is chosen where it absorbs most of whatever has no name; so it keeps its name, or without a name its place in the model, only if curves, and what differs by chance, explain less in its stead. Not thread-safe.
  */
 final class RivalCurves {
+  /** A coarse fit of curves that follows held-out kicks less closely by so many times what decides is not fitted precisely; chosen: where a region is right, it follows them a third less closely, or worse. */
+  private static final double COARSELY = 2;
+
   private final ModelFitter fitter;
-  private final SharedSolver solver;
   private final DecisionSettings settings;
   private final long seed;
   private final ModelChoice choice;
@@ -46,7 +46,6 @@ final class RivalCurves {
     this.unnamed = unnamed;
     this.progress = progress;
     fitter = problem.fitter();
-    solver = problem.solver();
     settings = problem.settings();
     seed = problem.seed();
   }
@@ -80,10 +79,10 @@ final class RivalCurves {
 
   private Weighed against(Weighed named, List<Judgement> group) {
     FittedModel coarse = curved(named, group);
-    if (explainsLess(coarse, named, group)) {
+    if (!follows(coarse).isAsGoodAs(named, COARSELY * settings.formGain())) {
       return named;
     }
-    FittedModel curved = fitter.fit(coarse.resumed(), coarse, Weighing.ALIKE, solver);
+    FittedModel curved = curves.settled(coarse);
     if (explainsLess(curved, named, group)) {
       return named;
     }
@@ -109,10 +108,14 @@ final class RivalCurves {
    */
   private boolean explainsLess(FittedModel curved, Weighed named, List<Judgement> group) {
     int numbers = group.stream().mapToInt(j -> j.component().size()).sum();
-    Weighed held = new Weighed(curved, List.of(), HoldOut.of(curved, true, seed));
+    Weighed held = follows(curved);
     return !held.isAsGoodAs(named, settings.formGain())
         || missed(curved, named) > settings.beyondNoise(numbers) && !isCloser(held, named)
         || named.isAsGoodAs(held, settings.formGain()) && costsMore(curved, named, group);
+  }
+
+  private Weighed follows(FittedModel curved) {
+    return new Weighed(curved, List.of(), HoldOut.of(curved, true, seed));
   }
 
   /** Whether curves cost more than effects and their places, by Schwarz's criterion. */

@@ -115,17 +115,21 @@ final class SampledSearch {
    * @return the fit
    */
   FittedModel alike(ModelFitter fitter, FittedModel found) {
-    return fitter.fit(found.resumed(), found, Weighing.ALIKE, solver);
+    return alike(fitter, found, solver);
   }
 
   /**
-   * The same with the coarse tolerance of a search, where much decides.
+   * The same, as coarsely as in a search: enough where the difference is large.
    *
    * @param fitter of the kicks
    * @param found by a search of the same kicks
    * @return the fit
    */
   FittedModel nearlyAlike(ModelFitter fitter, FittedModel found) {
-    return fitter.fit(found.resumed(), found, Weighing.ALIKE, coarse);
+    return alike(fitter, found, coarse);
+  }
+
+  private static FittedModel alike(ModelFitter fitter, FittedModel found, SharedSolver how) {
+    return fitter.fit(found.resumed(), found, Weighing.ALIKE, how);
   }
 }

@@ -43,10 +43,11 @@ class LowHopsTest {
 
   /** Two causes were found here when the heights that were tried lay a whole bounce apart. */
   @Test
-  void areNoCauseHalfABounceLower() {
+  void areNoCauseInBetweenWithLittleNoise() {
     Diagnosis diagnosis = diagnosed(hopping(1e-3, 0.0014).withSeed(3));
     assertThat(diagnosis.verdict()).isEqualTo(Verdict.MODEL_ADEQUATE);
     assertThat(diagnosis.model().effects()).isEmpty();
+    assertThat(diagnosis.model().chip().orElseThrow().lowestHop()).isBetween(7e-4, 1.5e-3);
   }
 
   /** Noise of 4 mm hides the lowest hops themselves, but not what they cost. */

@@ -109,11 +109,8 @@ public final class ModelFitter {
     return low == from || closer ? between : low;
   }
 
-  /** The best of the fits with hops in between; the same where that explains too little, or where nothing is left. */
+  /** The best of the fits with hops in between; the same where that explains too little. */
   private FittedModel withHopsInBetween(FittedModel from, SharedSolver solver) {
-    if (left(from) < LOW_HOP_PRICE) {
-      return from;
-    }
     double high = ChipModel.MIN_HOP_HEIGHT;
     double low = ChipModel.ENGINE_MIN_HOP_HEIGHT;
     FittedModel best =
@@ -141,13 +138,9 @@ public final class ModelFitter {
   }
 
   private static FittedModel better(FittedModel low, FittedModel high, double share) {
-    double least = Math.max(LOW_HOP_PRICE, share * left(high));
+    double left = high.evenCost() - high.solution().rows();
+    double least = Math.max(LOW_HOP_PRICE, share * left);
     return low.evenCost() + least < high.evenCost() ? low : high;
-  }
-
-  /** What a fit leaves beyond noise, in units of chi-square. */
-  private static double left(FittedModel fitted) {
-    return fitted.evenCost() - fitted.solution().rows();
   }
 
   private FittedModel fitAlone(EffectModel model, SharedSolver solver) {

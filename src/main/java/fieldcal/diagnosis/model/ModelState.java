@@ -21,7 +21,7 @@ public final class ModelState {
   private final MeasurementEffects measurement;
   private final List<OwnEffect> random;
 
-  /** Those that are the same for all kicks, in the order of the model's components. */
+  /** Those that are the same for all kicks, in the order of the model's components; not what was added for a derivative. */
   private final List<Effect> fixed;
 
   /** Where a ball must have been for this to differ from the state that it is compared with; null = anywhere. */
@@ -91,7 +91,7 @@ public final class ModelState {
         more.size() == 1 ? more.get(0).reach().orElse(null) : null);
   }
 
-  /** The same with other ball models and other effects of as many components; shares what stays as it is, so that it need not be computed or compared again. */
+  /** The same with other ball models and other effects, which are those of the same components in their order; shares what stays as it is, so that it need not be computed or compared again. */
   ModelState changed(FlatModel flat, ChipModel chip, List<Effect> fixed, List<OwnEffect> random) {
     List<MotionEffect> moving = pick(fixed, MotionEffect.class);
     return new ModelState(

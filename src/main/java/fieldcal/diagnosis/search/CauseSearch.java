@@ -110,7 +110,7 @@ public final class CauseSearch {
    * Searches.
    *
    * @param start the model to begin with, fitted to the same kicks
-   * @param revises whether early choices are reconsidered when something is left, and simpler models are sought; otherwise what the model already has stays
+   * @param revises whether early choices are reconsidered when something is left, and simpler models are sought; otherwise what the model already has stays, except where a law that is added explains it as well
    * @return the best model found
    */
   public FittedModel search(FittedModel start, boolean revises) {

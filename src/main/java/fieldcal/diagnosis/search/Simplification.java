@@ -80,7 +80,7 @@ final class Simplification {
   /**
    * The model with a law in place of another component, if the law, fitted again from its starts, explains as much; empty if none does. Before, the two may have shared what the law alone explains.
    *
-   * @param held components that stay as they are
+   * @param held components whose laws are not tried again
    */
   Optional<FittedModel> withLawForOther(FittedModel best, List<Component> held) {
     List<Component> had = best.model().components();

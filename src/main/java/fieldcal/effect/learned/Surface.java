@@ -131,13 +131,12 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
     int nx = x.knots();
     int ny = y.knots();
     double[][] control = new double[nx + 2][ny + 2];
-    for (int i = 0; i < nx; i++) {
-      if (!centred) {
-        System.arraycopy(coefficients, from + i * ny, control[i + 1], 1, ny);
-      }
-    }
     if (centred) {
       addWaves(coefficients, from, control);
+    } else {
+      for (int i = 0; i < nx; i++) {
+        System.arraycopy(coefficients, from + i * ny, control[i + 1], 1, ny);
+      }
     }
     for (int i = 1; i <= nx; i++) {
       control[i][0] = control[i][2];
@@ -158,7 +157,7 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
       // The first wave of all is the constant, which has no coefficient.
       for (int n = m == 0 ? 1 : 0; n < ny; n++) {
         double c = coefficients[from + m * ny + n - 1];
-        for (int j = 0; j < ny && c != 0; j++) {
+        for (int j = 0; j < ny; j++) {
           alongY[j] += c * y.cosine(n, j);
         }
       }

@@ -524,7 +524,7 @@ final class Descent<S> {
       }
       double[][] h = information();
       holdAtBounds(h, g);
-      double[] step = ScaledEquations.solve(h, g, scale, damping.lambda());
+      double[] step = ScaledEquations.solve(h, g, scale, lambda);
       if (step != null) {
         return step;
       }

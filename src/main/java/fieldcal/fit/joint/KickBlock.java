@@ -53,7 +53,7 @@ final class KickBlock {
     l = new double[own][own];
   }
 
-  /** A copy, to be tied and factored by itself. The products of shared columns are the most by far; their rows are copied when they change. */
+  /** A copy, to be tied and factored by itself. The products of shared columns are the most by far, and are copied by row when a tie changes them; nothing can be added to a copy. */
   KickBlock(KickBlock of) {
     this(of.own, of.shared, of.c.clone());
     for (int i = 0; i < own; i++) {
