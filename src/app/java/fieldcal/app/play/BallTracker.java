@@ -90,6 +90,10 @@ final class BallTracker {
   }
 
   private void take(int camera, Seen seen) {
+    if (seen.t() < time - SLOW_WINDOW) {
+      // A computer of vision that stalled, or whose clock is behind: the other cameras know better.
+      return;
+    }
     Deque<Seen> ring = cameras.computeIfAbsent(camera, id -> new ArrayDeque<>());
     if (!ring.isEmpty() && seen.t() <= ring.getLast().t()) {
       return;

@@ -12,6 +12,7 @@ import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.VisionCharacter;
 import fieldcal.simulation.robot.RobotCommand;
+import fieldcal.vision.BallDetection;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.RobotDetection;
 import fieldcal.vision.RobotId;
@@ -35,6 +36,11 @@ class WorldModelTest {
   private static VisionFrame frame(int camera, double time, double x, double y) {
     RobotDetection robot = new RobotDetection(FIRST, x, y, 0.3f, 1, 0.145);
     return new VisionFrame(camera, 0, time, time, Double.NaN, List.of(), List.of(robot));
+  }
+
+  private static VisionFrame ball(int camera, double time, double x, double y) {
+    BallDetection ball = new BallDetection(x, y, Double.NaN, 1, 0, Double.NaN, Double.NaN);
+    return new VisionFrame(camera, 0, time, time, Double.NaN, List.of(ball), List.of());
   }
 
   private static Robot first(WorldModel model, double now) {
@@ -194,6 +200,23 @@ class WorldModelTest {
       }
     }
     assertThat(detected).hasSizeGreaterThan(12);
+  }
+
+  /** Two computers of vision, of which one stalls or has a clock that is behind. */
+  @Test
+  void aBallThatOneCameraShowsLateIsWhereTheOtherSeesIt() {
+    WorldModel model = new WorldModel();
+    for (int i = 0; i < 4; i++) {
+      model.accept(ball(0, 0.014 * i, 1, 1));
+      model.accept(ball(1, 0.014 * i, 1, 1));
+    }
+    for (int i = 4; i < 30; i++) {
+      model.accept(ball(0, 0.014 * i, 1, 1));
+    }
+    model.accept(ball(1, 0.1, 1.1, 1));
+    PlayWorld.Ball ball = model.at(0.42, Permission.RUN).ball().orElseThrow();
+    assertThat(ball.x()).isCloseTo(1, within(1e-6));
+    assertThat(ball.seen()).isCloseTo(0.014 * 29, within(1e-9));
   }
 
   @Test
