@@ -20,6 +20,7 @@ import fieldcal.play.SpreadKicks;
 import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.VisionPacket;
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
@@ -95,6 +96,7 @@ public final class PlaySession {
   private boolean recorded;
   private double elapsed;
   private double started = Double.NaN;
+  private double jumpsBefore;
   private double shown = Double.NEGATIVE_INFINITY;
 
   /**
@@ -152,22 +154,12 @@ public final class PlaySession {
         recorder =
             SessionRecorder.begin(request.directory().get(), name, open.epoch(), open.origin());
       }
-      try {
-        waitForGeometry();
-        PlayPlan plan = checkedPlan();
-        play = new CalibrationPlay(plan, chooser(plan), this::played);
-        recallCauses();
-        while (!play.over()) {
-          tick();
-        }
-        settle();
-        endRecording();
-        judgeLast();
-      } catch (UncheckedIOException e) {
-        throw e.getCause();
-      } finally {
-        stopRobots();
-        endRecording();
+      // Of both each is done whatever the other throws, and neither hides why the play ended.
+      Closeable recording = this::endRecording;
+      Closeable robots = this::stopRobots;
+      try (recording;
+          robots) {
+        play();
       }
     } finally {
       ended.countDown();
@@ -176,6 +168,23 @@ public final class PlaySession {
         latest.get(),
         Optional.ofNullable(recorder).map(SessionRecorder::log),
         Optional.ofNullable(recorder).map(SessionRecorder::commands));
+  }
+
+  private void play() throws IOException {
+    try {
+      waitForGeometry();
+      PlayPlan plan = checkedPlan();
+      play = new CalibrationPlay(plan, chooser(plan), this::played);
+      recallCauses();
+      while (!play.over()) {
+        tick();
+      }
+      settle();
+      endRecording();
+      judgeLast();
+    } catch (UncheckedIOException e) {
+      throw e.getCause();
+    }
   }
 
   private void endRecording() throws IOException {
@@ -206,21 +215,22 @@ public final class PlaySession {
     double longest = Math.min(GEOMETRY, Math.max(LEAST_GEOMETRY, patience));
     while (geometry == null) {
       double now = field.next(receiver);
-      first = Double.isNaN(first) ? now : first;
+      // When vision's clock is known at last, it may be far from the one that stood in for it.
+      double time = now - field.clockJumps();
+      first = Double.isNaN(first) ? time : first;
+      double waited = time - first;
       if (abortReason != null) {
         throw new IOException("aborted before it began: " + abortReason);
       }
       if (field.over().isPresent()) {
         throw new IOException(field.over().get());
       }
-      if (geometry == null && now - first > tell) {
+      if (geometry == null && waited > tell) {
         whileWaiting.accept(
-            "waiting for the geometry of the field from vision, for "
-                + Math.round(now - first)
-                + " s");
+            "waiting for the geometry of the field from vision, for " + Math.round(waited) + " s");
         tell += TELL_WAIT;
       }
-      if (now - first > longest) {
+      if (geometry == null && waited > longest) {
         throw new IOException(
             "vision sent no geometry for "
                 + Math.round(longest)
@@ -267,6 +277,7 @@ public final class PlaySession {
     double now = field.next(receiver);
     if (Double.isNaN(started)) {
       started = now;
+      jumpsBefore = field.clockJumps();
     }
     for (KickResult result : fits.judge()) {
       tellPlay(result);
@@ -308,7 +319,7 @@ public final class PlaySession {
 
   /** Field time since the beginning, s: vision's clock may jump meanwhile. */
   private double elapsed(double now) {
-    return now - started - field.clockJumps();
+    return now - started - (field.clockJumps() - jumpsBefore);
   }
 
   private void tellPlay(KickResult result) {

@@ -17,7 +17,6 @@ import fieldcal.vision.Epoch;
 import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.Team;
-import fieldcal.vision.VisionEncoder;
 import fieldcal.vision.VisionFrame;
 import fieldcal.vision.VisionPacket;
 import java.io.IOException;
@@ -32,6 +31,7 @@ public final class NetworkPlayField implements PlayField {
   /** Between two commands, s. */
   private static final double TICK = 0.01;
 
+  /** A referee that was heard and is silent for longer cannot give a HALT any more, s: 20 messages. */
   private static final double REFEREE_SILENT = 2;
 
   /** A ball that was laid down is left alone for a while, s. */
@@ -41,7 +41,6 @@ public final class NetworkPlayField implements PlayField {
   private static final double CLOCK_JUMP = 1;
 
   private final Epoch epoch;
-  private final VisionEncoder encoder;
   private final MatchNetwork network;
   private final RobotLink client;
   private final RecordingOrigin origin;
@@ -54,14 +53,25 @@ public final class NetworkPlayField implements PlayField {
   private double newestFrame = Double.NaN;
   private long newestArrived;
   private double now = Double.NEGATIVE_INFINITY;
+  private double firstJump = Double.NaN;
   private double nextTick;
   private Permission permission = Permission.RUN;
-  private double refereeHeard = Double.NEGATIVE_INFINITY;
+  private double refereeHeard = Double.NaN;
   private double teleported = Double.NEGATIVE_INFINITY;
   private Optional<String> over = Optional.empty();
   private double lastJumps;
+  private byte[] message;
+  private Optional<VisionFrame> frameInMessage = Optional.empty();
+  private Optional<FieldGeometry> geometryInMessage = Optional.empty();
 
   private final class Sink implements MatchNetwork.Sink {
+    @Override
+    public void visionMessage(byte[] bytes, long arrivedNanos) {
+      message = bytes;
+      frameInMessage = Optional.empty();
+      geometryInMessage = Optional.empty();
+    }
+
     @Override
     public void frame(VisionFrame frame) {
       double jumpsBefore = watch.jumps();
@@ -88,17 +98,17 @@ public final class NetworkPlayField implements PlayField {
       if (!whole) {
         receiver.lost(wallClock());
       }
-      pass(VisionPacket.of(frame));
+      frameInMessage = Optional.of(frame);
     }
 
     @Override
     public void geometry(FieldGeometry geometry) {
-      pass(VisionPacket.of(geometry));
+      geometryInMessage = Optional.of(geometry);
     }
 
     @Override
-    public void refereeMessage(byte[] message) {
-      receiver.referee(wallClock(), message);
+    public void refereeMessage(byte[] bytes) {
+      receiver.referee(wallClock(), bytes);
     }
 
     @Override
@@ -133,7 +143,6 @@ public final class NetworkPlayField implements PlayField {
     long unixNanos = System.currentTimeMillis() * 1_000_000L;
     epoch = Epoch.atSecondOf(unixNanos);
     startTime = epoch.secondsOfNanos(unixNanos);
-    encoder = new VisionEncoder(epoch);
     client = link;
     try {
       network = new MatchNetwork(vision, referee, epoch, new Sink());
@@ -183,10 +192,19 @@ public final class NetworkPlayField implements PlayField {
     return origin;
   }
 
-  /** By positions of two fields nobody drives. {@inheritDoc} */
+  /** By positions of two fields nobody drives, nor where the referee that could give a HALT is gone. {@inheritDoc} */
   @Override
   public Optional<String> hold() {
-    return client.hold().or(network::mixed);
+    return client.hold().or(network::mixed).or(this::refereeSilent);
+  }
+
+  private Optional<String> refereeSilent() {
+    // Who never heard a referee plays without one.
+    if (!(wallClock() - refereeHeard > REFEREE_SILENT)) {
+      return Optional.empty();
+    }
+    String since = permission == Permission.RUN ? "" : " since its " + permission.name();
+    return Optional.of("no message from the referee" + since);
   }
 
   @Override
@@ -194,10 +212,12 @@ public final class NetworkPlayField implements PlayField {
     return client.silent();
   }
 
+  /** Before the first frame, this machine's clock stands in for vision's. {@inheritDoc} */
   @Override
   public double clockJumps() {
+    double first = Double.isNaN(firstJump) ? 0 : firstJump;
     // A jump that ends the play changes no time that it is told.
-    return over.isPresent() ? lastJumps : watch.jumps();
+    return first + (over.isPresent() ? lastJumps : watch.jumps());
   }
 
   @Override
@@ -209,8 +229,13 @@ public final class NetworkPlayField implements PlayField {
     return startTime + (System.nanoTime() - startNanos) * 1e-9;
   }
 
-  private void pass(VisionPacket packet) {
-    receiver.vision(wallClock(), packet, encoder.encode(packet));
+  /** What vision sent last, as it sent it. */
+  private void passMessage() {
+    if (message != null && over.isEmpty()) {
+      VisionPacket packet = new VisionPacket(frameInMessage, geometryInMessage);
+      receiver.vision(wallClock(), packet, message);
+    }
+    message = null;
   }
 
   @Override
@@ -226,16 +251,28 @@ public final class NetworkPlayField implements PlayField {
       do {
         double left = Math.max(0, nextTick - wallClock());
         network.receive((long) Math.ceil(1000 * left));
+        passMessage();
       } while (wallClock() < nextTick);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new InterruptedIOException("interrupted");
     }
     client.listen();
-    double since = (System.nanoTime() - newestArrived) * 1e-9;
-    double estimate = Double.isNaN(newestFrame) ? wallClock() : newestFrame + since;
-    now = Math.max(now, estimate);
+    now = estimate();
     return now;
+  }
+
+  /** Now, on vision's clock as soon as it is known: it may be far ahead of this machine's or behind it. */
+  private double estimate() {
+    if (Double.isNaN(newestFrame)) {
+      return wallClock();
+    }
+    double estimate = newestFrame + (System.nanoTime() - newestArrived) * 1e-9;
+    if (Double.isNaN(firstJump)) {
+      firstJump = estimate - wallClock();
+      return estimate;
+    }
+    return Math.max(now, estimate);
   }
 
   @Override
@@ -278,9 +315,10 @@ public final class NetworkPlayField implements PlayField {
     }
   }
 
+  /** What it said last, however long ago: a HALT is over when the referee says so. {@inheritDoc} */
   @Override
   public Permission permission() {
-    return wallClock() - refereeHeard < REFEREE_SILENT ? permission : Permission.RUN;
+    return permission;
   }
 
   @Override

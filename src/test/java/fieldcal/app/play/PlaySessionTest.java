@@ -1,6 +1,7 @@
 package fieldcal.app.play;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.app.calibrate.CommandFile;
@@ -8,6 +9,8 @@ import fieldcal.app.cli.EditedLog;
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.app.recording.KickCollector;
 import fieldcal.calibration.CalibratedKick;
+import fieldcal.gamelog.GameLogReader;
+import fieldcal.gamelog.MessageType;
 import fieldcal.kick.KickKind;
 import fieldcal.play.PlayAnswer.BallRequest;
 import fieldcal.play.PlayLimits;
@@ -270,6 +273,75 @@ class PlaySessionTest {
     assertThat(outcome.last().time()).isBetween(5.0, 200.0);
   }
 
+  /** Its first frame shows what its clock says; until then another one stands in for it. */
+  @Test
+  void aVisionWhoseClockIsFarAheadIsPlayedWith() throws Exception {
+    SessionRequest request = SessionRequest.of(KickKind.FLAT, 1).into(directory);
+    double ahead = 3600;
+    int[] ticks = new int[1];
+    PlayField field =
+        new OtherField(field(request, 3)) {
+          @Override
+          public double next(Receiver receiver) throws IOException {
+            ticks[0]++;
+            return ticks[0] == 1
+                ? super.next((time, packet, payload) -> {}) - ahead
+                : super.next(receiver);
+          }
+
+          @Override
+          public double clockJumps() {
+            return ticks[0] > 1 ? ahead : 0;
+          }
+        };
+    PlaySession.Outcome outcome = new PlaySession(request, field, s -> {}).run();
+    assertThat(outcome.complete()).isTrue();
+    assertThat(outcome.last().time()).isBetween(1.0, 100.0);
+  }
+
+  /** A network that is gone takes neither the recording away nor the reason why the play ended. */
+  @Test
+  void aFieldThatIsGoneLeavesAWholeRecordingAndItsReason() throws Exception {
+    SessionRequest request = SessionRequest.of(KickKind.FLAT, 12).into(directory);
+    int[] packets = new int[1];
+    int[] orders = new int[1];
+    PlayField field =
+        new OtherField(field(request, 3)) {
+          @Override
+          public double next(Receiver receiver) throws IOException {
+            return super.next(
+                (time, packet, payload) -> {
+                  packets[0]++;
+                  receiver.vision(time, packet, payload);
+                });
+          }
+
+          @Override
+          public void order(List<RobotOrder> all) throws IOException {
+            if (++orders[0] > 100) {
+              throw new IOException("the network is gone, order " + orders[0]);
+            }
+            super.order(all);
+          }
+        };
+    PlaySession session = new PlaySession(request, field, s -> {});
+    assertThatThrownBy(session::run)
+        .isInstanceOf(IOException.class)
+        .hasMessage("the network is gone, order 101")
+        .satisfies(
+            e ->
+                assertThat(e.getSuppressed())
+                    .extracting(Throwable::getMessage)
+                    .containsExactly("the network is gone, order 102"));
+    int recorded = 0;
+    try (GameLogReader log = GameLogReader.open(PlayRun.logs(directory).get(0))) {
+      while (log.next()) {
+        recorded += log.type() == MessageType.SSL_VISION_2014 ? 1 : 0;
+      }
+    }
+    assertThat(recorded).isEqualTo(packets[0]);
+  }
+
   /** Chips of 8 m/s rise 2 m; the cameras hang twice as high, and see little at half their height. */
   @Test
   void chipsThatLeaveTheImagesAreNamedAndMadeSlower() throws Exception {
@@ -316,7 +388,7 @@ class PlaySessionTest {
     }
 
     @Override
-    public void order(List<RobotOrder> orders) {
+    public void order(List<RobotOrder> orders) throws IOException {
       inner.order(orders);
     }
 

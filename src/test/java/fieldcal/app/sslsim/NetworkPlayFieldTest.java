@@ -15,8 +15,12 @@ import fieldcal.gamelog.RecordingReader;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.kick.KickKind;
 import fieldcal.play.PlayLimits;
+import fieldcal.play.PlayWorld.Permission;
 import fieldcal.play.PlayWorld.Robot;
 import fieldcal.proto.Referee;
+import fieldcal.proto.SSL_DetectionFrame;
+import fieldcal.proto.SSL_DetectionRobot;
+import fieldcal.proto.SSL_WrapperPacket;
 import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.vision.RobotId;
@@ -30,6 +34,7 @@ import java.net.DatagramSocket;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -45,6 +50,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The play over real sockets on loopback, against the served field. */
 class NetworkPlayFieldTest {
@@ -315,16 +321,97 @@ class NetworkPlayFieldTest {
 
   /** Sends one frame, and waits until it is heard. */
   private static void hearOneFrame(NetworkPlayField field, NetworkPlace vision) throws IOException {
-    AtomicBoolean heard = new AtomicBoolean();
     VisionFrame frame = new VisionFrame(0, 1, 5, 5, Double.NaN, List.of(), List.of());
-    byte[] packet = new VisionEncoder(field.epoch()).encode(VisionPacket.of(frame));
+    hear(field, vision, new VisionEncoder(field.epoch()).encode(VisionPacket.of(frame)));
+  }
+
+  /** Sends one packet, and waits until it is heard; returns the bytes that are given to whoever records. */
+  private static byte[] hear(NetworkPlayField field, NetworkPlace vision, byte[] packet)
+      throws IOException {
+    AtomicReference<byte[]> heard = new AtomicReference<>();
     try (DatagramSocket socket = new DatagramSocket()) {
       socket.send(new DatagramPacket(packet, packet.length, vision.address()));
     }
-    for (int i = 0; i < 200 && !heard.get(); i++) {
-      field.next((time, received, payload) -> heard.set(true));
+    for (int i = 0; i < 200 && heard.get() == null; i++) {
+      field.next((time, received, payload) -> heard.set(payload));
     }
-    assertThat(heard).isTrue();
+    assertThat(heard).doesNotHaveNullValue();
+    return heard.get();
+  }
+
+  /** Who gave a HALT relies on it, also when the game controller has crashed since. */
+  @Test
+  void aRefereeThatFallsSilentStopsTheRobotsAndItsHaltStays() throws Exception {
+    NetworkPlace vision = NetworkPlace.parse("127.0.0.1:" + freePort(), null);
+    NetworkPlace referee = NetworkPlace.parse("127.0.0.1:" + freePort(), null);
+    try (NetworkPlayField field =
+            new NetworkPlayField("127.0.0.1", freePorts(), vision, Optional.of(referee));
+        DatagramSocket socket = new DatagramSocket()) {
+      assertThat(field.permission()).isEqualTo(Permission.RUN);
+      assertThat(field.hold()).isEmpty();
+      Map<Referee.Command, Permission> allowed = new LinkedHashMap<>();
+      allowed.put(Referee.Command.HALT, Permission.HALT);
+      allowed.put(Referee.Command.NORMAL_START, Permission.RUN);
+      for (Map.Entry<Referee.Command, Permission> said : allowed.entrySet()) {
+        byte[] message = message(said.getKey());
+        socket.send(new DatagramPacket(message, message.length, referee.address()));
+        for (int i = 0; i < 200 && field.permission() != said.getValue() || i < 20; i++) {
+          field.next((time, packet, payload) -> {});
+        }
+        assertThat(field.permission()).isEqualTo(said.getValue());
+        assertThat(field.hold()).isEmpty();
+        Thread.sleep(2100);
+        assertThat(field.permission()).isEqualTo(said.getValue());
+        assertThat(field.hold().orElseThrow()).startsWith("no message from the referee");
+      }
+      assertThat(field.hold()).contains("no message from the referee");
+    }
+  }
+
+  /** A simulator's clock may begin at 0, far behind this machine's. */
+  @ParameterizedTest
+  @ValueSource(doubles = {-1000, 1000})
+  void timeGoesOnByVisionsClockWhateverItSays(double captured) throws Exception {
+    NetworkPlace vision = NetworkPlace.parse("127.0.0.1:" + freePort(), null);
+    try (NetworkPlayField field =
+        new NetworkPlayField("127.0.0.1", freePorts(), vision, Optional.empty())) {
+      double before = field.next((time, packet, payload) -> {}) - field.clockJumps();
+      VisionFrame frame =
+          new VisionFrame(0, 1, captured, captured, Double.NaN, List.of(), List.of());
+      hear(field, vision, new VisionEncoder(field.epoch()).encode(VisionPacket.of(frame)));
+      double heard = field.next((time, packet, payload) -> {});
+      assertThat(heard).isBetween(captured, captured + 10);
+      assertThat(heard - field.clockJumps() - before).isBetween(0.0, 10.0);
+      assertThat(field.next((time, packet, payload) -> {})).isGreaterThan(heard);
+    }
+  }
+
+  /** What fieldcal does not know of is recorded, too, and nothing is added. */
+  @Test
+  void thePacketsAreGivenAsVisionSentThem() throws Exception {
+    NetworkPlace vision = NetworkPlace.parse("127.0.0.1:" + freePort(), null);
+    byte[] sent =
+        SSL_WrapperPacket.newBuilder()
+            .setDetection(
+                SSL_DetectionFrame.newBuilder()
+                    .setFrameNumber(1)
+                    .setTCapture(5)
+                    .setTSent(5)
+                    .setCameraId(0)
+                    .addRobotsBlue(
+                        SSL_DetectionRobot.newBuilder()
+                            .setConfidence(1)
+                            .setRobotId(3)
+                            .setX(100)
+                            .setY(200)
+                            .setPixelX(300)
+                            .setPixelY(400)))
+            .build()
+            .toByteArray();
+    try (NetworkPlayField field =
+        new NetworkPlayField("127.0.0.1", freePorts(), vision, Optional.empty())) {
+      assertThat(hear(field, vision, sent)).containsExactly(sent);
+    }
   }
 
   /** A calibration after the play takes seconds, in which nobody listens. */
