@@ -376,8 +376,8 @@ final class PlayCommand implements Callable<Integer> {
       return;
     }
     Path log = result.session().log().orElseThrow();
-    for (Path other : PlayRun.leftOut(out, log)) {
-      spec.commandLine().getOut().println("left out: " + other + " is of another field or seed");
+    for (String other : PlayRun.leftOut(out, log)) {
+      spec.commandLine().getOut().println("left out: " + other);
     }
   }
 

@@ -7,6 +7,8 @@ import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.JsonFiles;
 import fieldcal.app.calibrate.RecordingFolder;
 import fieldcal.app.calibrate.SelectionFile;
+import fieldcal.app.recording.CollectedKicks;
+import fieldcal.app.recording.KickCollector;
 import fieldcal.app.recording.LogOpener;
 import fieldcal.app.recording.ReadableRecordings;
 import fieldcal.app.recording.RecordingChoice;
@@ -69,7 +71,7 @@ public final class PlayRun {
     Path log = outcome.log().orElseThrow();
     Path results = isKeptApart(directory, log) ? directory.resolve(REHEARSAL) : directory;
     CalibrationOutcome calibration =
-        calibrate(results, alike(directory, log), session.seed(), progress);
+        calibrate(results, readable(directory), log, session.seed(), progress);
     return new Result(outcome, Optional.of(calibration), KickStrength.of(calibration), results);
   }
 
@@ -92,52 +94,71 @@ public final class PlayRun {
    */
   public static CalibrationOutcome calibrate(Path directory, CalibrationSession.Progress progress)
       throws IOException {
-    List<Path> logs = logs(directory);
-    Path newest = logs.get(0);
-    for (Path log : logs) {
+    ReadableRecordings readable = readable(directory);
+    Path newest = null;
+    for (RecordingFacts facts : readable.facts()) {
+      Path log = facts.log();
       newest =
-          Files.getLastModifiedTime(log).compareTo(Files.getLastModifiedTime(newest)) > 0
+          newest == null
+                  || Files.getLastModifiedTime(log).compareTo(Files.getLastModifiedTime(newest)) > 0
               ? log
               : newest;
     }
-    return calibrate(directory, alike(directory, newest), FitSettings.defaults().seed(), progress);
+    return calibrate(directory, readable, newest, FitSettings.defaults().seed(), progress);
   }
 
   private static CalibrationOutcome calibrate(
-      Path results, List<Path> logs, long seed, CalibrationSession.Progress progress)
+      Path results,
+      ReadableRecordings readable,
+      Path session,
+      long seed,
+      CalibrationSession.Progress progress)
       throws IOException {
+    List<Path> logs = alike(readable, session);
     List<CommandFile.Command> told = new ArrayList<>();
     for (Path log : logs) {
       Path commands = commandsOf(log);
-      if (Files.exists(commands)) {
+      // A full disk may have left an empty file.
+      if (Files.exists(commands) && Files.size(commands) > 0) {
         told.addAll(CommandFile.read(commands));
       }
     }
     HandSelection byHand = SelectionFile.readOrFormer(null, results);
+    CollectedKicks data =
+        new KickCollector(progress).collect(logs).withProblems(readable.problems());
     return new CalibrationSession(FitSettings.defaults().withSeed(seed))
-        .run(CalibrationRequest.of(logs, byHand, told), progress);
+        .calibrate(data, CalibrationRequest.of(logs, byHand, told), progress);
+  }
+
+  /** The sessions that can be read: one that was killed before its first frame must not take all others away. */
+  private static ReadableRecordings readable(Path directory) throws IOException {
+    return ReadableRecordings.of(logs(directory), LogOpener.USUAL);
   }
 
   /** The sessions of the same field as one of them: a rehearsal and the real field are not calibrated together. */
-  private static List<Path> alike(Path directory, Path session) throws IOException {
+  private static List<Path> alike(ReadableRecordings readable, Path session) throws IOException {
     RecordingFacts its = RecordingFacts.of(session, LogOpener.USUAL);
-    return RecordingChoice.alike(RecordingFacts.of(logs(directory), LogOpener.USUAL), its).stream()
-        .map(RecordingFacts::log)
-        .toList();
+    return RecordingChoice.alike(readable.facts(), its).stream().map(RecordingFacts::log).toList();
   }
 
   /**
-   * The sessions in a directory that are not calibrated together with one of them, because they are of another field.
+   * The sessions in a directory that are not calibrated together with one of them.
    *
    * @param directory of the sessions
    * @param session one of them
-   * @return their game logs by name
-   * @throws IOException when one cannot be read
+   * @return which and why, a clause each: first those of another field, then those that cannot be read
+   * @throws IOException when the one cannot be read
    */
-  public static List<Path> leftOut(Path directory, Path session) throws IOException {
-    List<Path> others = new ArrayList<>(logs(directory));
-    others.removeAll(alike(directory, session));
-    others.remove(session);
+  public static List<String> leftOut(Path directory, Path session) throws IOException {
+    ReadableRecordings readable = readable(directory);
+    List<Path> alike = alike(readable, session);
+    List<String> others = new ArrayList<>();
+    for (RecordingFacts facts : readable.facts()) {
+      if (!alike.contains(facts.log()) && !facts.log().equals(session)) {
+        others.add(facts.log() + " is of another field or seed");
+      }
+    }
+    others.addAll(readable.broken().values());
     return others;
   }
 

@@ -43,6 +43,9 @@ public final class SessionRecorder implements Closeable {
     }
     try {
       writer = GameLogWriter.create(log);
+      // A process that is killed before vision sends anything leaves a recording of nothing, not an
+      // unreadable one.
+      writer.flush();
     } catch (IOException e) {
       Files.deleteIfExists(commands);
       throw notBegun(log, e);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.cli.EditedLog;
 import fieldcal.app.recording.CollectedKicks;
@@ -11,6 +12,7 @@ import fieldcal.app.recording.KickCollector;
 import fieldcal.calibration.CalibratedKick;
 import fieldcal.gamelog.GameLogReader;
 import fieldcal.gamelog.MessageType;
+import fieldcal.gamelog.RecordingOrigin;
 import fieldcal.kick.KickKind;
 import fieldcal.play.PlayAnswer.BallRequest;
 import fieldcal.play.PlayLimits;
@@ -271,6 +273,29 @@ class PlaySessionTest {
     PlaySession.Outcome outcome = session.run();
     assertThat(jump[0]).isEqualTo(3600);
     assertThat(outcome.last().time()).isBetween(5.0, 200.0);
+  }
+
+  /** Two processes that were killed while they waited for vision, and a disk that was full: what is left of them takes nothing away. */
+  @Test
+  void whatDeadSessionsLeftDoesNotPreventACalibration() throws Exception {
+    Files.createFile(directory.resolve("session-flat.log"));
+    Files.createFile(directory.resolve("session-flat.commands.csv"));
+    try (SessionRecorder killed =
+        SessionRecorder.begin(directory, "session-flat", new Epoch(0), RecordingOrigin.FIELD)) {
+      SessionRequest request = SessionRequest.of(KickKind.FLAT, 1).into(directory);
+      PlaySession session = new PlaySession(request, field(request, 3), s -> {});
+      PlayRun.Result result = PlayRun.run(session, directory, (file, done, total) -> {});
+      CalibrationOutcome calibration = result.calibration().orElseThrow();
+      assertThat(calibration.calibration().kicks()).hasSize(1);
+      assertThat(calibration.data().problems()).anyMatch(p -> p.what().equals("cannot be read"));
+      Path log = result.session().log().orElseThrow();
+      assertThat(log).hasFileName("session-flat-3.log");
+      assertThat(PlayRun.leftOut(directory, log)).anyMatch(o -> o.contains("session-flat.log"));
+      Files.delete(killed.commands());
+      Files.createFile(killed.commands());
+      assertThat(PlayRun.calibrate(directory, (file, done, total) -> {}).calibration().kicks())
+          .hasSize(1);
+    }
   }
 
   /** Its first frame shows what its clock says; until then another one stands in for it. */

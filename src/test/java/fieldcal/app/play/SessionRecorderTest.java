@@ -3,6 +3,8 @@ package fieldcal.app.play;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import fieldcal.app.calibrate.CommandFile;
+import fieldcal.gamelog.GameLogReader;
 import fieldcal.gamelog.RecordingOrigin;
 import fieldcal.vision.Epoch;
 import java.io.IOException;
@@ -26,6 +28,18 @@ class SessionRecorderTest {
       assertThat(first.log()).hasFileName("session.log").exists();
       assertThat(second.log()).hasFileName("session-2.log").exists();
       assertThat(second.commands()).hasFileName("session-2.commands.csv").exists();
+    }
+  }
+
+  /** As after a kill while the play waits for vision. */
+  @Test
+  void canBeReadBeforeAnythingWasRecorded() throws IOException {
+    try (SessionRecorder recorder =
+        SessionRecorder.begin(directory, "session", EPOCH, RecordingOrigin.FIELD)) {
+      try (GameLogReader log = GameLogReader.open(recorder.log())) {
+        assertThat(log.next()).isFalse();
+      }
+      assertThat(CommandFile.read(recorder.commands())).isEmpty();
     }
   }
 
