@@ -231,7 +231,9 @@ public final class CalibrationPlay {
         step = new CheckStep(ledger, -1);
       }
     }
-    ledger.hopeless().ifPresent(this::stop);
+    if (!ledger.complete()) {
+      ledger.hopeless().ifPresent(this::stop);
+    }
     if (ledger.complete() && step instanceof CheckStep) {
       step = new EndStep(PlayPhase.FINISHED, "");
       waiting = Optional.empty();

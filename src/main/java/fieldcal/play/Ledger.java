@@ -22,7 +22,8 @@ final class Ledger {
   /** So many kicks in a row that a robot was commanded and that did not happen are told. */
   private static final int TOLD_MISFIRES = 2;
 
-  private int wanted;
+  private final int wanted;
+  private boolean concluded;
   private final KickChooser chooser;
   private final Consumer<PlayedKick> listener;
   private final int maxAttempts;
@@ -61,16 +62,16 @@ final class Ledger {
 
   /** No more kicks are wanted. */
   void conclude() {
-    wanted = good;
+    concluded = true;
   }
 
   /** Whether enough kicks are made, if those that are being fitted turn out well. */
   boolean enough() {
-    return good + unjudged.size() >= wanted;
+    return concluded || good + unjudged.size() >= wanted;
   }
 
   boolean complete() {
-    return good >= wanted;
+    return concluded || good >= wanted;
   }
 
   /** The kick that is due; preferably one that can be made from where the ball lies. */
@@ -282,7 +283,8 @@ final class Ledger {
     return unjudged.size();
   }
 
+  /** How many kicks are to count; once no more are wanted, those that do. */
   int wanted() {
-    return wanted;
+    return concluded ? good : wanted;
   }
 }

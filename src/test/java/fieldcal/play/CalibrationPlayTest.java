@@ -791,6 +791,29 @@ class CalibrationPlayTest {
                 made, made - 1));
   }
 
+  /** How many were wanted at first says how many may fail, also when fewer turn out to be enough. */
+  @Test
+  void whatIsConcludedIsFinishedHoweverManyKicksDidNotCount() {
+    PlayPlan plan = PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 6);
+    int enough = plan.limits().maxAttempts() + 5;
+    play =
+        new CalibrationPlay(
+            plan,
+            new SpreadKicks(6, 3, 3, 0, 1),
+            kick -> {
+              kicks.add(kick);
+              play.judge(kick.number(), kick.number() == 1, "too short");
+              if (kick.number() == enough) {
+                play.conclude();
+              }
+            });
+    field.run(play, 600);
+    assertThat(play.state().phase()).as(play.state().toString()).isEqualTo(PlayPhase.FINISHED);
+    assertThat(kicks).hasSize(enough);
+    assertThat(play.state().good()).isEqualTo(1);
+    assertThat(play.state().wanted()).isEqualTo(1);
+  }
+
   @Test
   void kicksThatAreNeverJudgedDoNotHangIt() {
     PlayPlan plan = PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 1);
