@@ -35,6 +35,7 @@ public final class LiveMonitor {
   private final Epoch epoch;
   private final Optional<Executor> executor;
   private final AtomicBoolean scheduled = new AtomicBoolean();
+  private final Object working = new Object();
   private final BallMonitor ball;
   private final MovementMonitor movement;
 
@@ -185,10 +186,15 @@ public final class LiveMonitor {
   }
 
   private void work() {
-    scheduled.set(false);
-    while (poll()) {
-      // Each call does one piece.
+    try {
+      while (poll()) {
+        // Each call does one piece.
+      }
+    } finally {
+      scheduled.set(false);
     }
+    // What came after the last call had found nothing.
+    schedule();
   }
 
   /**
@@ -198,7 +204,11 @@ public final class LiveMonitor {
    * @return false when there was nothing to do
    */
   public boolean poll() {
-    return guarded(() -> ball.poll() || movement.poll());
+    // One piece at a time, also when the host calls this beside its executor: the listener is told
+    // one thing after the other.
+    synchronized (working) {
+      return guarded(() -> ball.poll() || movement.poll());
+    }
   }
 
   /** A piece that breaks is over: there may be another one. */

@@ -87,6 +87,8 @@ public final class MovementMonitor {
         waiting = null;
         waitingForBreak = last;
         breaks++;
+        counted = 0;
+        refused = 0;
         countingSince = epoch.unixSeconds(now);
       }
     }

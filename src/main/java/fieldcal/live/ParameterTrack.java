@@ -44,10 +44,19 @@ final class ParameterTrack {
     counted = clean;
   }
 
+  /** Takes the next sample, or one of an earlier match; one that is here already counts once. */
   void add(BallSample sample) {
-    (sample.possiblySpinning() ? spinning : clean).add(sample);
+    SampleTree its = sample.possiblySpinning() ? spinning : clean;
+    if (its.samples().stream().anyMatch(s -> BallSample.BY_TIME.compare(s, sample) == 0)) {
+      return;
+    }
+    its.add(sample);
     counted = spinning.size() > 0 && (!comparable() || agree()) ? both() : clean;
     usual.add(sample.speed());
+    if (sample.time() < newest) {
+      // The history goes on from the newest sample.
+      return;
+    }
     newest = sample.time();
     if (++skipped >= stride) {
       skipped = 0;

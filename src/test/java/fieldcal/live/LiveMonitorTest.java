@@ -9,8 +9,12 @@ import fieldcal.vision.RobotDetection;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.Team;
 import fieldcal.vision.VisionFrame;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
+import java.util.Iterator;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -102,6 +106,8 @@ class LiveMonitorTest {
     monitor.phase(PlayPhase.BREAK);
     MovementSnapshot paused = monitor.snapshot().movement();
     assertThat(paused.breaks()).isEqualTo(1);
+    assertThat(paused.counted()).isZero();
+    assertThat(paused.refused()).isZero();
     assertThat(paused.limits()).isEmpty();
     assertThat(paused.beforeBreak().get(Team.YELLOW).velocity().value())
         .isCloseTo(velocity, within(0.2));
@@ -157,6 +163,45 @@ class LiveMonitorTest {
     assertThat(told).hasSize(2);
     assertThat(told.get(1)).startsWith("cleared: velocity of yellow");
     assertThat(watching.snapshot().movement().warnings()).isEmpty();
+  }
+
+  /** Tasks that wait for each other would block the threads of the host. */
+  @Test
+  void whileAKickIsFittedNoOtherTaskBegins() {
+    SimulatedMatch match = SimulatedMatch.play(8, 0.5, -0.28);
+    LiveSettings settings = LiveSettings.defaults();
+    KickJudge judge = new KickJudge(settings, match.recording().epoch());
+    Deque<Runnable> tasks = new ArrayDeque<>();
+    Iterator<VisionFrame> frames = match.recording().frames().iterator();
+    LiveMonitor[] watching = new LiveMonitor[1];
+    List<Integer> begun = new ArrayList<>();
+    watching[0] =
+        new LiveMonitor(
+            settings,
+            match.recording().epoch(),
+            LiveListener.NONE,
+            Optional.of(tasks::add),
+            (kick, cameras, start, roll) -> {
+              // The match goes on while it is fitted.
+              frames.forEachRemaining(watching[0]::accept);
+              begun.add(tasks.size());
+              return judge.judge(kick, cameras, start, roll);
+            });
+    watching[0].geometry(match.recording().geometry());
+    while (frames.hasNext()) {
+      watching[0].accept(frames.next());
+      if (!tasks.isEmpty()) {
+        tasks.remove().run();
+      }
+    }
+    watching[0].finish();
+    while (!tasks.isEmpty()) {
+      tasks.remove().run();
+    }
+    assertThat(begun).hasSizeGreaterThan(2).containsOnly(0);
+    KickCounts counts = watching[0].snapshot().ball().counts();
+    assertThat(counts.waiting()).isZero();
+    assertThat(counts.used() + counts.unused()).isEqualTo(begun.size());
   }
 
   @Test

@@ -41,6 +41,25 @@ class ParameterTrackTest {
             });
   }
 
+  /** As a host does that reads the samples of an earlier match while the next one runs, perhaps twice. */
+  @Test
+  void samplesOfAnEarlierMatchCountOnceAndAreNotTheNewest() {
+    time = 1000;
+    for (int i = 0; i < 5; i++) {
+      add(roll, -0.28, 0.05, false);
+    }
+    for (int again = 0; again < 2; again++) {
+      for (int i = 0; i < 20; i++) {
+        roll.add(new BallSample(i, -0.5 + 0.001 * i, 0.001, false));
+      }
+    }
+    assertThat(roll.samples()).hasSize(25);
+    assertThat(roll.estimate(PUBLISHED).history())
+        .extracting(MedianPoint::time)
+        .containsExactly(1000.0, 1001.0, 1002.0, 1003.0, 1004.0);
+    assertThat(roll.compare(PUBLISHED).orElseThrow().time()).isEqualTo(1004);
+  }
+
   @Test
   void warnsOnceAndClearsAfterRecovery() {
     for (int i = 0; i < 100; i++) {
