@@ -73,6 +73,8 @@ public final class KickFinder {
    */
   public void geometry(FieldGeometry geometry, Map<Integer, Camera> cameraModels) {
     area.update(geometry);
+    // A camera whose new calibration cannot be used no longer hangs where it did.
+    views.clear();
     views.putAll(cameraModels);
   }
 

@@ -7,6 +7,7 @@ import fieldcal.vision.VisionFrame;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * Watches the robots of both teams, frame by frame. Give it every frame as it comes, and the referee's phase when that changes. {@link #statistics} can be read at any time. Movements are counted some two seconds after they happened.
@@ -16,6 +17,9 @@ import java.util.Objects;
 public final class MovementObserver {
   /** Most robots that are followed: a team's sixteen, and a few misread numbers. */
   private static final int MOST_ROBOTS = 64;
+
+  /** Another camera may take the place of one that has sent nothing for so long, s; chosen: a computer of vision restarts in less, and keeps its cameras' places. */
+  private static final double GONE = 30;
 
   private final MovementStatistics statistics = new MovementStatistics();
   private final ManoeuvreFinder driving =
@@ -84,13 +88,16 @@ public final class MovementObserver {
   /**
    * Takes a frame.
    *
-   * @param frame of any camera; of each camera in the order of capture, a repeated one is ignored
+   * @param frame of any camera; of each camera in the order of capture, a repeated one is ignored. Of more than eight cameras at once the first eight count
    */
   public void accept(VisionFrame frame) {
-    CameraState camera =
-        cameras.computeIfAbsent(frame.cameraId(), id -> new CameraState(cameras.size()));
     double time = frame.captureTime();
-    if (camera.index >= Stretch.CAMERAS || !Double.isFinite(time)) {
+    if (!Double.isFinite(time)) {
+      return;
+    }
+    CameraState camera = camera(frame.cameraId(), time);
+    if (camera == null) {
+      statistics.surplusFrames++;
       return;
     }
     if (time <= camera.lastTime && time > camera.lastTime - 1) {
@@ -119,6 +126,30 @@ public final class MovementObserver {
         statistics.refused++;
       }
     }
+  }
+
+  /** A camera and its place; null when all places are taken. A damaged frame may name a camera that does not exist: it holds a place no longer than one that was switched off. */
+  private CameraState camera(int id, double time) {
+    CameraState known = cameras.get(id);
+    if (known != null) {
+      return known;
+    }
+    int index = cameras.size();
+    if (index == Stretch.CAMERAS) {
+      Optional<Integer> gone =
+          cameras.entrySet().stream()
+              .filter(e -> time - e.getValue().lastTime > GONE)
+              .map(Map.Entry::getKey)
+              .findFirst();
+      if (gone.isEmpty()) {
+        return null;
+      }
+      index = cameras.remove(gone.get()).index;
+      breakOff();
+    }
+    CameraState entered = new CameraState(index);
+    cameras.put(id, entered);
+    return entered;
   }
 
   private Watched watched(RobotId id) {

@@ -12,6 +12,7 @@ public final class MovementStatistics {
   long counted;
   long refused;
   long repeatedFrames;
+  long surplusFrames;
   boolean refereeSeen;
 
   /** Creates empty statistics. */
@@ -41,6 +42,7 @@ public final class MovementStatistics {
     counted += other.counted;
     refused += other.refused;
     repeatedFrames += other.repeatedFrames;
+    surplusFrames += other.surplusFrames;
     refereeSeen |= other.refereeSeen;
   }
 
@@ -54,6 +56,7 @@ public final class MovementStatistics {
     counted = 0;
     refused = 0;
     repeatedFrames = 0;
+    surplusFrames = 0;
   }
 
   /**
@@ -112,6 +115,15 @@ public final class MovementStatistics {
    */
   public long repeatedFrames() {
     return repeatedFrames;
+  }
+
+  /**
+   * Frames that were left out, since eight other cameras sent frames at the time.
+   *
+   * @return how many
+   */
+  public long surplusFrames() {
+    return surplusFrames;
   }
 
   /**

@@ -12,10 +12,12 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.FlatTrajectory;
+import fieldcal.camera.Camera;
 import fieldcal.vision.VisionFrame;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -296,6 +298,30 @@ class KickFinderTest {
                         && f.captureTime() < kick.endTime())
             .count();
     assertThat((double) kick.observations().size()).isGreaterThan(0.97 * total);
+  }
+
+  /** Cameras that were moved, with new calibrations that cannot be used: where they hung before says nothing. */
+  @Test
+  void withoutTheCamerasOfAnEarlierGeometryTheyHaveNoPosition() {
+    BallTrajectory chip = ChipTrajectory.fromKick(CHIP, 1, -1.6, 0.5, 2.6, 0.3, 5);
+    scene.camera(-3, 0.02, 0, -7, 1).camera(3, -0.02, 0, -1, 7);
+    scene.ball(chip).robot(KICKER, -1.71, 0.5);
+    List<VisionFrame> frames = scene.frames(0, 12);
+    List<Integer> found = new ArrayList<>();
+    for (List<Map<Integer, Camera>> told :
+        List.of(
+            List.of(scene.cameras()),
+            List.of(Map.<Integer, Camera>of()),
+            List.of(scene.cameras(), Map.<Integer, Camera>of()))) {
+      List<Kick> kicks = new ArrayList<>();
+      KickFinder finder = new KickFinder(KickFinderSettings.defaults(), kicks::add);
+      told.forEach(cameras -> finder.geometry(scene.geometry(), cameras));
+      frames.forEach(finder::accept);
+      finder.finish();
+      found.add(kicks.stream().mapToInt(k -> k.observations().size()).sum());
+    }
+    assertThat(found.get(1)).isNotEqualTo(found.get(0));
+    assertThat(found.get(2)).isEqualTo(found.get(1));
   }
 
   @Test

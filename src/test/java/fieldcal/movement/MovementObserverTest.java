@@ -37,6 +37,26 @@ class MovementObserverTest {
     }
   }
 
+  /** A damaged frame with the number of a camera that does not exist must not shut out a real one for a whole match. */
+  @Test
+  void aCameraTakesThePlaceOfOneThatIsGone() {
+    MovementObserver observer = new MovementObserver();
+    RobotDetection robot = new RobotDetection(new RobotId(Team.BLUE, 1), 0, 0, 0, 1, 0.145);
+    long sent = 0;
+    for (int i = 0; i < 5000; i++) {
+      double t = 0.014 * i;
+      for (int camera = 0; camera < 8; camera++) {
+        // The first frame of all is a damaged one; camera 7 comes in later.
+        int id = camera == 7 && i == 0 ? 77 : camera;
+        observer.accept(new VisionFrame(id, 0, t, t, Double.NaN, List.of(), List.of(robot)));
+        sent++;
+      }
+    }
+    MovementStatistics statistics = observer.statistics();
+    assertThat(statistics.surplusFrames()).isBetween(2000L, 2200L);
+    assertThat(statistics.detections()).isEqualTo(sent - statistics.surplusFrames());
+  }
+
   @Test
   void exchangedIdentitiesMoveNoPercentileByMoreThanABin() {
     sameWithin(match.exchanged(0.005, 1, 3).observe(), plain);

@@ -92,6 +92,14 @@ record RecordedMovement(
               observer.statistics().refused(),
               "exchanged identities or jumps; they were left out"));
     }
+    if (observer.statistics().surplusFrames() > 0) {
+      list.add(
+          new DataProblem(
+              log.toString(),
+              "frames of more than eight cameras at once",
+              observer.statistics().surplusFrames(),
+              "the first eight count; a damaged frame may name a camera that does not exist"));
+    }
     return list;
   }
 
