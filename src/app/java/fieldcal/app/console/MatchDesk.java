@@ -55,11 +55,11 @@ final class MatchDesk {
   }
 
   /**
-   * Begins to watch.
+   * Begins to watch. One visitor after the other: who comes second finds that a match is being watched.
    *
    * @throws ApiException when the request names nothing that can be watched, or another match is being watched
    */
-  void start(JsonNode body) throws IOException {
+  synchronized void start(JsonNode body) throws IOException {
     Source source = Requests.oneOf(body, "source", Source.values());
     Optional<BallModels> models =
         body.path("own_models").asBoolean()

@@ -57,12 +57,12 @@ final class PlayDesk {
   }
 
   /**
-   * Begins a play.
+   * Begins a play. One visitor after the other: who comes second finds that one is running.
    *
    * @throws ApiException when it cannot be played, or another play is running
    * @throws IOException when the simulator cannot be reached; one line for the operator
    */
-  void start(PlayOrder order) throws IOException {
+  synchronized void start(PlayOrder order) throws IOException {
     // What does not fit on the field is told before anything begins.
     plan(order);
     live.requireNone();
@@ -73,12 +73,12 @@ final class PlayDesk {
         log -> log.getFileName().toString().startsWith("session-") && !before.contains(log);
     if (order.network().isPresent()) {
       PlayField open = open(order.network().get());
-      begin(new PlaySession(request, open, s -> tell(s, open)), its, Optional.empty());
+      begin(request, open, its, Optional.empty());
     } else {
       int earlier = PlayRun.logs(directory.path()).size();
       InteractiveField field = field(order.request(), earlier * BETWEEN_SESSIONS);
       PlayField open = new EmbeddedPlayField(field, order.pace());
-      begin(new PlaySession(request, open, s -> tell(s, open)), its, Optional.of(field));
+      begin(request, open, its, Optional.of(field));
     }
   }
 
@@ -91,17 +91,27 @@ final class PlayDesk {
   }
 
   private void begin(
-      PlaySession next, Predicate<Path> itsLog, Optional<InteractiveField> simulated) {
-    live.start(
-        () -> {
-          session = next;
-          directory.growing(itsLog);
-          try {
-            run(next, simulated);
-          } finally {
-            directory.growing(log -> false);
-          }
-        });
+      SessionRequest request,
+      PlayField open,
+      Predicate<Path> itsLog,
+      Optional<InteractiveField> simulated)
+      throws IOException {
+    try {
+      PlaySession next = new PlaySession(request, open, s -> tell(s, open));
+      live.start(
+          () -> {
+            session = next;
+            directory.growing(itsLog);
+            try {
+              run(next, simulated);
+            } finally {
+              directory.growing(log -> false);
+            }
+          });
+    } catch (RuntimeException e) {
+      open.close();
+      throw e;
+    }
   }
 
   private static InteractiveField field(SessionRequest request, double later) {

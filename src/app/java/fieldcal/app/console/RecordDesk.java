@@ -39,12 +39,12 @@ final class RecordDesk {
   }
 
   /**
-   * Begins to record.
+   * Begins to record. One visitor after the other: who comes second finds that it records already.
    *
    * @throws ApiException when a place is none, or it records already
    * @throws IOException when the network cannot be listened to or the file cannot be written; one line for the operator
    */
-  void start(JsonNode body) throws IOException {
+  synchronized void start(JsonNode body) throws IOException {
     NetworkPlace vision = place(Requests.text(body, "vision", LONGEST_PLACE).strip());
     String whistle = Requests.text(body, "referee", LONGEST_PLACE).strip();
     Optional<NetworkPlace> referee =
@@ -59,6 +59,7 @@ final class RecordDesk {
       live.start(() -> run(next, log, vision));
     } catch (RuntimeException e) {
       next.close();
+      directory.recorded(log);
       throw e;
     }
   }

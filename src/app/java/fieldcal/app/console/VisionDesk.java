@@ -102,12 +102,12 @@ final class VisionDesk {
   }
 
   /**
-   * Begins to listen; ends by itself when the geometry with models is there, or the time is over.
+   * Begins to listen; ends by itself when the geometry with models is there, or the time is over. One visitor after the other: who comes second finds that it listens already.
    *
    * @throws ApiException when the place is none, or it listens already
    * @throws IOException when the place cannot be listened to
    */
-  void start(JsonNode body) throws IOException {
+  synchronized void start(JsonNode body) throws IOException {
     String vision = Requests.text(body, "vision", LONGEST_PLACE).strip();
     long seconds = Requests.number(body, "seconds").orElse(USUAL_SECONDS);
     if (seconds < 1 || seconds > MOST_SECONDS) {
