@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.recording.ReadableRecordings;
 import fieldcal.app.recording.RecordingChoice;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -81,6 +82,9 @@ public final class RecordingFolder {
           .filter(Files::isRegularFile)
           .sorted()
           .toList();
+    } catch (UncheckedIOException e) {
+      // The disk was pulled out while it was listed.
+      throw e.getCause();
     }
   }
 
