@@ -29,6 +29,12 @@ public final class ReplayFeed implements MatchFeed {
   /** The longest pause before the control is asked again, ms. */
   private static final long STEP = 50;
 
+  /** When vision sends nothing for longer, the recording pauses, which nobody wants to wait for, s of the recording: 70 frames. */
+  private static final double PAUSE = 1;
+
+  /** A machine that is later cannot follow, s: it goes on from where it is. */
+  private static final double TOO_LATE = 1;
+
   private static final int FRAMES_BETWEEN_QUESTIONS = 256;
 
   /** Movement limits take as long as ten thousand frames; in a replay nobody waits for them, s of the recording. */
@@ -144,6 +150,7 @@ public final class ReplayFeed implements MatchFeed {
     private final LiveMonitor monitor;
     private final Control control;
     private double start = Double.NaN;
+    private double last = Double.NaN;
     private long startNanos;
     private int frames;
 
@@ -166,7 +173,9 @@ public final class ReplayFeed implements MatchFeed {
         return;
       }
       double ahead = (time - start) / speed - 1e-9 * (System.nanoTime() - startNanos);
-      if (!(Math.abs(ahead) < 1)) {
+      boolean follows = Math.abs(time - last) < PAUSE;
+      last = time;
+      if (!follows || ahead < -TOO_LATE) {
         // The beginning, a pause in the recording, or a machine that cannot follow.
         start = time;
         startNanos = System.nanoTime();
