@@ -8,9 +8,6 @@ final class CameraObserver {
   private static final double MAX_INTERVAL = 1;
   private static final int MIN_INTERVALS = 20;
 
-  /** Largest step of the frame numbers that is distinguished: in some systems the number counts the frames of all cameras. */
-  private static final int MAX_STEP = 32;
-
   /** From the median absolute deviation to the standard deviation of a normal distribution. */
   private static final double MAD_TO_SIGMA = 1.4826;
 
@@ -23,7 +20,7 @@ final class CameraObserver {
   private final QuantileSketch deviations = new QuantileSketch(NANOSECOND, MAX_INTERVAL);
   private final ClockComparison clock = new ClockComparison();
   private final QuantileSketch latencies = new QuantileSketch(1e-5, 10 * ClockComparison.MAX_DELAY);
-  private final long[] steps = new long[MAX_STEP + 1];
+  private final long[] steps = new long[FrameStep.MAX + 1];
   private long frames;
   private long balls;
   private long robots;
@@ -90,7 +87,7 @@ final class CameraObserver {
     }
     long step = frame.frameNumber() - lastNumber;
     if (step >= 1) {
-      steps[(int) Math.min(step, MAX_STEP)]++;
+      steps[(int) Math.min(step, FrameStep.MAX)]++;
     }
     intervals.add(interval);
     if (intervals.total() == MIN_INTERVALS || intervals.total() % 1000 == 0) {
@@ -104,17 +101,11 @@ final class CameraObserver {
     }
   }
 
-  /** The most frequent step of the frame numbers is that of an unbroken sequence; larger steps are its multiples. */
   private long lostFrames() {
-    int usual = 1;
-    for (int step = 2; step < steps.length; step++) {
-      if (steps[step] > steps[usual]) {
-        usual = step;
-      }
-    }
+    FrameStep usual = FrameStep.of(steps);
     long lost = 0;
-    for (int step = usual; step < steps.length; step++) {
-      lost += steps[step] * (Math.round(step / (double) usual) - 1);
+    for (int step = 1; step < steps.length; step++) {
+      lost += steps[step] * usual.missing(0, step);
     }
     return lost;
   }

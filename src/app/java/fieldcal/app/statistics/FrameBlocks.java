@@ -1,5 +1,6 @@
 package fieldcal.app.statistics;
 
+import fieldcal.gamelog.FrameStep;
 import fieldcal.kick.Kick;
 import fieldcal.kick.Observations;
 import fieldcal.vision.BallDetection;
@@ -41,6 +42,7 @@ final class FrameBlocks {
     List<Block> blocks = new ArrayList<>();
     double begin = frames.spans().isEmpty() ? 0 : frames.spans().get(0)[0];
     for (Map.Entry<Integer, List<VisionFrame>> camera : frames.frames().entrySet()) {
+      FrameStep step = FrameStep.of(camera.getValue());
       List<VisionFrame> block = new ArrayList<>();
       long number = -1;
       for (VisionFrame frame : camera.getValue()) {
@@ -49,17 +51,18 @@ final class FrameBlocks {
             !block.isEmpty()
                 && frame.captureTime() - block.get(block.size() - 1).captureTime() > LENGTH / 4;
         if (of != number || jumped) {
-          close(camera.getKey(), number, block, blocks);
+          close(camera.getKey(), number, step, block, blocks);
           number = of;
         }
         block.add(frame);
       }
-      close(camera.getKey(), number, block, blocks);
+      close(camera.getKey(), number, step, block, blocks);
     }
     return blocks;
   }
 
-  private static void close(int camera, long number, List<VisionFrame> block, List<Block> blocks) {
+  private static void close(
+      int camera, long number, FrameStep step, List<VisionFrame> block, List<Block> blocks) {
     if (block.size() >= FEWEST) {
       int n = 0;
       double sum = 0;
@@ -68,10 +71,10 @@ final class FrameBlocks {
       long missing = 0;
       for (int i = 1; i < block.size(); i++) {
         VisionFrame frame = block.get(i);
-        long step = frame.frameNumber() - block.get(i - 1).frameNumber();
+        long lost = step.missing(block.get(i - 1).frameNumber(), frame.frameNumber());
         double interval = frame.captureTime() - block.get(i - 1).captureTime();
-        missing += Math.max(0, step - 1);
-        if (step <= 1) {
+        missing += lost;
+        if (lost == 0) {
           n++;
           sum += interval;
           squares += interval * interval;

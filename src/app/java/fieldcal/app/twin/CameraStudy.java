@@ -7,6 +7,7 @@ import fieldcal.app.statistics.RestStretches.Stretch;
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
 import fieldcal.gamelog.CameraStatistics;
+import fieldcal.gamelog.FrameStep;
 import fieldcal.kick.Kick;
 import fieldcal.kick.Observations;
 import fieldcal.simulation.imaging.CameraErrors;
@@ -57,6 +58,9 @@ final class CameraStudy {
 
   /** Latency where nothing tells, s (chosen: what logs of 2026 show). */
   private static final double USUAL_LATENCY = 0.011;
+
+  /** Stands for the frame number of a robot that was not yet seen: far below all others. */
+  private static final double UNSEEN = -1e9;
 
   private static final double MM = 1000;
 
@@ -147,6 +151,7 @@ final class CameraStudy {
   private InstalledCamera camera(
       int id, CameraCalibration announced, NoiseGrowth growth, double rate, boolean together) {
     List<VisionFrame> frames = frames(id);
+    FrameStep step = FrameStep.of(frames);
     Region view = view(frames);
     Camera camera = Camera.of(announced);
     CameraCalibration vision = vision(announced, camera, view);
@@ -172,13 +177,13 @@ final class CameraStudy {
         view,
         noise(id, Camera.of(vision), growth),
         growth,
-        robotNoise(frames, RobotDetection::x),
-        robotNoise(frames, RobotDetection::orientation),
+        robotNoise(frames, step, RobotDetection::x),
+        robotNoise(frames, step, RobotDetection::orientation),
         rate,
         phase,
         latency,
         spread,
-        nuisance(id, frames, rate),
+        nuisance(id, frames, step, rate),
         CameraErrors.NONE);
   }
 
@@ -317,15 +322,16 @@ final class CameraStudy {
 
   /** Noise from second differences of frames that follow each other; motion hardly shows in them. */
   private static double robotNoise(
-      List<VisionFrame> frames, ToDoubleFunction<RobotDetection> what) {
+      List<VisionFrame> frames, FrameStep step, ToDoubleFunction<RobotDetection> what) {
     Map<RobotId, double[]> last = new HashMap<>();
     List<Double> differences = new ArrayList<>();
     for (VisionFrame frame : frames) {
       for (RobotDetection robot : frame.robots()) {
         double value = what.applyAsDouble(robot);
-        double[] h = last.computeIfAbsent(robot.id(), k -> new double[] {-10, -10, 0, 0});
+        double[] h = last.computeIfAbsent(robot.id(), k -> new double[] {UNSEEN, UNSEEN, 0, 0});
         long number = frame.frameNumber();
-        if (number == h[1] + 1 && number == h[0] + 2 && Double.isFinite(value)) {
+        boolean follows = number > h[1] && step.missing((long) h[1], number) == 0;
+        if (follows && step.missing((long) h[0], (long) h[1]) == 0 && Double.isFinite(value)) {
           differences.add(Math.abs(Math.IEEEremainder(h[2] - 2 * h[3] + value, 2 * Math.PI)));
         }
         h[0] = h[1];
@@ -362,7 +368,7 @@ final class CameraStudy {
         .toArray();
   }
 
-  private Nuisance nuisance(int id, List<VisionFrame> frames, double rate) {
+  private Nuisance nuisance(int id, List<VisionFrame> frames, FrameStep step, double rate) {
     long single = 0;
     long interruptions = 0;
     long robotsLost = 0;
@@ -370,7 +376,7 @@ final class CameraStudy {
     Map<RobotId, Long> lastSeen = new HashMap<>();
     VisionFrame before = null;
     for (VisionFrame frame : frames) {
-      long missing = before == null ? 0 : frame.frameNumber() - before.frameNumber() - 1;
+      long missing = before == null ? 0 : step.missing(before.frameNumber(), frame.frameNumber());
       boolean follows =
           before != null
               && frame.captureTime() > before.captureTime()
@@ -382,7 +388,7 @@ final class CameraStudy {
       for (RobotDetection robot : frame.robots()) {
         Long last = lastSeen.put(robot.id(), frame.frameNumber());
         if (follows && last != null && missing == 0) {
-          long unseen = frame.frameNumber() - last - 1;
+          long unseen = step.missing(last, frame.frameNumber());
           robotsLost += unseen > 0 && unseen < INTERRUPTION ? unseen : 0;
           robotsSeen++;
         }
@@ -404,7 +410,7 @@ final class CameraStudy {
         share(robotsLost, robotsLost + robotsSeen),
         share(single, n + single),
         interruptions * rate / n,
-        jitter(frames),
+        jitter(frames, step),
         0,
         share(duplicates, Math.max(1, all)),
         true,
@@ -412,13 +418,12 @@ final class CameraStudy {
   }
 
   /** Deviation of exposures from an even pace that gives the measured scatter of the time between two frames. */
-  private static double jitter(List<VisionFrame> frames) {
+  private static double jitter(List<VisionFrame> frames, FrameStep step) {
     List<Double> intervals = new ArrayList<>();
     for (int i = 1; i < frames.size(); i++) {
       double interval = frames.get(i).captureTime() - frames.get(i - 1).captureTime();
-      if (frames.get(i).frameNumber() == frames.get(i - 1).frameNumber() + 1
-          && interval > 0
-          && interval < GAP) {
+      long missing = step.missing(frames.get(i - 1).frameNumber(), frames.get(i).frameNumber());
+      if (missing == 0 && interval > 0 && interval < GAP) {
         intervals.add(interval);
       }
     }
