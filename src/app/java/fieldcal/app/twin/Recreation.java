@@ -7,6 +7,7 @@ import fieldcal.ball.BallState;
 import fieldcal.diagnosis.Diagnosis;
 import fieldcal.gamelog.GameLogWriter;
 import fieldcal.gamelog.MessageType;
+import fieldcal.gamelog.RecordingOrigin;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickEnd;
 import fieldcal.simulation.Replay;
@@ -59,7 +60,7 @@ final class Recreation {
     epoch = new Epoch(recorded.unixNanosOf(start));
   }
 
-  /** Writes one recording again. */
+  /** Writes one recording again, which must have a frame. */
   void write(RecordedFrames one, SimulationSettings settings, Path log, DoubleConsumer progress)
       throws IOException {
     List<Replay.Span> spans =
@@ -70,6 +71,10 @@ final class Recreation {
         log,
         bytes -> {
           try (GameLogWriter writer = GameLogWriter.to(bytes, log)) {
+            writer.write(
+                epoch.unixNanosOf(spans.get(0).from()),
+                MessageType.BLANK,
+                RecordingOrigin.simulationMark());
             replay.run(packet -> write(writer, encoder, packet), progress);
           } catch (UncheckedIOException e) {
             throw e.getCause();

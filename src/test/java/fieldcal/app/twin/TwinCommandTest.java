@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import fieldcal.app.cli.Main;
+import fieldcal.gamelog.GameLogReader;
+import fieldcal.gamelog.RecordingOrigin;
 import fieldcal.simulation.KickBehaviour.SpinTable;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.imaging.InstalledCamera;
@@ -92,7 +94,10 @@ class TwinCommandTest {
     check
         .get("parameters")
         .forEach(p -> assertThat(p.get("sigmas").asDouble()).as(p.toString()).isLessThan(3));
-    assertThat(folder.resolve("out/field.twin.log.gz")).exists();
+    try (GameLogReader reader = GameLogReader.open(folder.resolve("out/field.twin.log.gz"))) {
+      assertThat(reader.next()).isTrue();
+      assertThat(RecordingOrigin.isSimulationMark(reader)).as("says what it is").isTrue();
+    }
     assertThat(Files.readString(folder.resolve("out/twin.html"))).contains("\"statistics\":");
   }
 
