@@ -75,7 +75,7 @@ final class ManoeuvreTable {
       return Arrays.stream(direction).map(phi -> Math.abs(Math.sin(phi))).toArray();
     }
 
-    /** For what depends on neither speed nor direction: neighbouring rows that differ only in these become one, without speed and direction. */
+    /** For what depends on neither speed nor direction: neighbouring rows that differ only in these become one, without speed and direction. Equal rows that are no neighbours remain: that only costs time. */
     Columns merged() {
       int n = count.length;
       double[] a = new double[n];

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.DecompositionSolver;
 import org.apache.commons.math3.linear.LUDecomposition;
@@ -51,6 +52,9 @@ final class SaturationFit {
 
   private final double total;
 
+  /** The rows of known acceleration in its order: what was taken out of a table has changed the order of its rows. */
+  private final int[] ascending;
+
   /**
    * A mode.
    *
@@ -73,6 +77,13 @@ final class SaturationFit {
     acceleration = data.acceleration();
     count = data.count();
     size = count.length;
+    ascending =
+        IntStream.range(0, size)
+            .filter(i -> !Double.isNaN(acceleration[i]))
+            .boxed()
+            .sorted(Comparator.comparingDouble(i -> acceleration[i]))
+            .mapToInt(i -> i)
+            .toArray();
     squaredKernel = Arrays.stream(data.error()).map(e -> ERRORS * e * (ERRORS * e)).toArray();
   }
 
@@ -116,17 +127,17 @@ final class SaturationFit {
     return modes;
   }
 
-  /** The acceleration below which that share of the manoeuvres lies, if the rows are in their order. */
+  /** The acceleration below which that share of the manoeuvres lies; those of unknown acceleration do not count. NaN when there are no others. */
   private double quantile(double share) {
-    double wanted = share * total;
+    double wanted = share * Arrays.stream(ascending).mapToDouble(i -> count[i]).sum();
     double below = 0;
-    for (int i = 0; i < data.count().length; i++) {
-      below += data.count()[i];
+    for (int i : ascending) {
+      below += count[i];
       if (below >= wanted) {
-        return data.acceleration()[i];
+        return acceleration[i];
       }
     }
-    return data.acceleration()[data.count().length - 1];
+    return ascending.length == 0 ? Double.NaN : acceleration[ascending[ascending.length - 1]];
   }
 
   /**
