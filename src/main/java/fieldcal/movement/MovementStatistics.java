@@ -78,7 +78,7 @@ public final class MovementStatistics {
    * @return standard deviation, mm; NaN when none stood in a halt
    */
   public double standingNoiseMm() {
-    return Math.sqrt(standingSquares.percentile(0.5));
+    return StandingNoise.standardDeviation(standingSquares);
   }
 
   /**

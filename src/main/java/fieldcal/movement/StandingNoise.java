@@ -7,6 +7,9 @@ final class StandingNoise {
   /** The means of both halves of a standing robot's group agree to within this, m: four standard errors of a mean of eight detections with 3.5 mm of noise. */
   private static final double STANDS = 0.005;
 
+  /** The mean variance of both coordinates has a χ² distribution of 2·(GROUP − 1) degrees of freedom, whose median is this part of its mean (Wilson and Hilferty 1931); of balls at rest the same holds in {@code gamelog}. */
+  private static final double MEDIAN_TO_MEAN = Math.pow(1 - 2 / (9.0 * 2 * (GROUP - 1)), 3);
+
   private final double[] x = new double[GROUP];
   private final double[] y = new double[GROUP];
   private int n;
@@ -42,6 +45,11 @@ final class StandingNoise {
       sum += dx * dx + dy * dy;
     }
     squares.add(sum / (2 * GROUP));
+  }
+
+  /** Standard deviation of one coordinate, mm, from the median of what was counted: a few groups of robots that moved do not change it. NaN of none. */
+  static double standardDeviation(Histogram squares) {
+    return Math.sqrt(squares.percentile(0.5) / MEDIAN_TO_MEAN);
   }
 
   private static double mean(double[] values, int from, int to) {
