@@ -7,7 +7,7 @@ import java.util.PriorityQueue;
 
 /**
  * Puts what was received into the order of capture times: an entry waits until one is received that was captured later by the
- * tolerance. Geometry and referee messages take the latest capture time before them.
+ * tolerance; with a tolerance of 0 none waits. Geometry and referee messages take the latest capture time before them.
  */
 final class CaptureOrder {
   private static final Comparator<Entry> ORDER =
@@ -29,21 +29,28 @@ final class CaptureOrder {
   void add(VisionFrame frame, double receivedTime) {
     latest = Math.max(latest, frame.captureTime());
     waiting.add(new Entry(frame.captureTime(), number++, frame, receivedTime));
-    while (!waiting.isEmpty() && waiting.peek().time < latest - tolerance) {
-      tell(waiting.poll());
-    }
+    release();
   }
 
   void add(FieldGeometry geometry) {
     waiting.add(new Entry(latest, number++, geometry, Double.NaN));
+    release();
   }
 
   void add(RefereeState state, double receivedTime) {
     waiting.add(new Entry(latest, number++, state, receivedTime));
+    release();
     if (latest == Double.NEGATIVE_INFINITY) {
       // Before the first frame nothing can come earlier; a log of nothing but referee messages must
       // not pile up.
       flush();
+    }
+  }
+
+  /** Hands on what has waited long enough; nothing waits without a tolerance. */
+  private void release() {
+    while (!waiting.isEmpty() && (tolerance == 0 || waiting.peek().time < latest - tolerance)) {
+      tell(waiting.poll());
     }
   }
 

@@ -115,6 +115,19 @@ class RecordingReaderTest {
   }
 
   @Test
+  void withoutAToleranceTheOrderIsThatOfReception() throws IOException {
+    log.geometry(geometry, 1);
+    log.frame(frame(0, 1, 10), 10.02);
+    log.frame(frame(1, 2, 9.99), 10.03);
+    log.frame(frame(0, 3, 10.01), 10.04);
+    try (RecordingReader reader =
+        RecordingReader.open(log.write(folder.resolve("recording.log")), LogBuilder.EPOCH)) {
+      reader.read(notes, 0);
+    }
+    assertThat(notes.sequence).containsExactly("geometry", "frame 1", "frame 2", "frame 3");
+  }
+
+  @Test
   void geometryComesOnceAndWhenItChanges() throws IOException {
     FieldGeometry other = geometry.withCameras(List.of(samples.camera(0), samples.camera(1)));
     for (int i = 0; i < 30; i++) {
