@@ -1,5 +1,6 @@
 package fieldcal.ball;
 
+import java.util.Locale;
 import java.util.Objects;
 
 /**
@@ -44,6 +45,16 @@ public record Parameter(
       throw new IllegalArgumentException(
           "bounds of " + name + " are empty: min " + min + ", max " + max);
     }
+  }
+
+  /**
+   * The name of a parameter in files, which is that of the league's messages.
+   *
+   * @param name as in the model's record, for example {@code accSlide}
+   * @return for example {@code acc_slide}
+   */
+  public static String inFiles(String name) {
+    return name.replaceAll("([A-Z])", "_$1").toLowerCase(Locale.ROOT);
   }
 
   /**

@@ -36,7 +36,7 @@ public final class TwoSigma {
     for (Sample s : samples) {
       double sigmas = average.sigmas(s);
       boolean leaves = s.dropped().isEmpty() && sigmas > LIMIT;
-      next.add(leaves ? s.drop(distance(s, sigmas)) : s);
+      next.add(leaves ? s.dropForItsValue(distance(s, sigmas)) : s);
     }
     return next;
   }
@@ -52,7 +52,9 @@ public final class TwoSigma {
     return samples.stream()
         .map(
             s ->
-                s.leftForItsValue() && average.n() > 0 ? s.drop(distance(s, average.sigmas(s))) : s)
+                s.leftForItsValue() && average.n() > 0
+                    ? s.dropForItsValue(distance(s, average.sigmas(s)))
+                    : s)
         .toList();
   }
 

@@ -63,11 +63,21 @@ class TwoSigmaTest {
     assertThat(after.get(10).leftForItsValue()).isTrue();
 
     List<Sample> near = samples(0.05, -3.0, -3.02, -2.98, -3.01, -2.99);
-    near.set(4, near.get(4).drop("acc_slide is 2.3 σ from the mean"));
+    near.set(4, near.get(4).dropForItsValue("acc_slide is 2.3 σ from the mean"));
     Sample restated = TwoSigma.restated(near).get(4);
     assertThat(restated.dropped())
         .contains("acc_slide was excluded earlier; the mean has moved since");
     assertThat(restated.leftForItsValue()).isTrue();
+  }
+
+  /** What excludes a sample is no matter of the sentence that says so. */
+  @Test
+  void aKickIsNoValueWhateverTheReasonSays() {
+    Sample sample = samples(0.05, -3.0).get(0);
+    assertThat(sample.dropForItsValue("far from the mean").leftForItsValue()).isTrue();
+    assertThat(sample.drop("acc_slide cannot be right, said the operator").leftForItsValue())
+        .isFalse();
+    assertThat(sample.leftForItsValue()).isFalse();
   }
 
   @Test

@@ -1,5 +1,6 @@
 package fieldcal.app.wording;
 
+import fieldcal.ball.Parameter;
 import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Pattern;
@@ -32,7 +33,7 @@ public final class ParameterWords {
    * @return for example {@code acc_slide}
    */
   public static String inFiles(String name) {
-    return name.replaceAll("([A-Z])", "_$1").toLowerCase(Locale.ROOT);
+    return Parameter.inFiles(name);
   }
 
   /**
