@@ -234,11 +234,13 @@ public final class Calibrator {
               roll.isPresent()
                   ? fitter.fit(typical.withChipRollFixed(roll.getAsDouble()), kind)
                   : free;
-          boolean freed = Selection.standsOut(held, fitted) && !Selection.standsOut(free, fitted);
+          boolean freed = Selection.isBetterFree(held, free, fitted);
           if (freed) {
             rollFreely.add(fit.kick());
           }
           KickFit again = freed ? free : held;
+          // A kick of the wrong kind may have the smaller rms: one that bends to the rolling misses
+          // the hops. The search chose the kind by the first parts of the kick.
           boolean better = kind != fit.kind() || again.rmsMm() < fit.rmsMm();
           return again.failure().isEmpty() && better ? again : fit;
         });

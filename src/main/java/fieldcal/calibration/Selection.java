@@ -51,6 +51,11 @@ final class Selection {
         && isWorse(fit.statistics().rmsMm(), medianRms(fits).get(fit.kind()));
   }
 
+  /** Whether a kick stands out only while its rolling is held; a free fit that failed shows nothing. */
+  static boolean isBetterFree(KickFit held, KickFit free, List<KickFit> fits) {
+    return free.failure().isEmpty() && standsOut(held, fits) && !standsOut(free, fits);
+  }
+
   private static boolean isWorse(double rmsMm, double median) {
     return rmsMm > WORSE_THAN_OTHERS * Math.max(GOOD_RMS_MM, median);
   }

@@ -116,6 +116,24 @@ class CalibratorTest {
     return widest;
   }
 
+  /** A fit that failed does not stand out, and yet is no better than one that does. */
+  @Test
+  void aFreeFitThatFailedDoesNotFreeTheRolling() {
+    List<KickFit> fits = ideal.kicks(KickKind.CHIP).stream().map(CalibratedKick::fit).toList();
+    KickFit free = fits.get(0);
+    Kick kick = free.kick();
+    Kick cut = kick.withObservations(kick.observations().between(0, kick.time() + 0.02));
+    FlatModel flat = FlatModel.typical();
+    ChipModel chip = ChipModel.typical();
+    KickFitter fitter = new KickFitter(FitSettings.defaults());
+    FitProblem problem = FitProblem.of(kick, ideal.cameras(), flat, chip);
+    KickFit held = fitter.fit(problem.withChipRollFixed(-2), KickKind.CHIP);
+    KickFit failed = fitter.fit(FitProblem.of(cut, ideal.cameras(), flat, chip), KickKind.CHIP);
+    assertThat(failed.failure()).isPresent();
+    assertThat(Selection.isBetterFree(held, free, fits)).isTrue();
+    assertThat(Selection.isBetterFree(held, failed, fits)).isFalse();
+  }
+
   @Test
   void jointFitOfErforceReachesWhatAnIndependentLeastSquaresReached() {
     JointFit joint = erforce.joint().orElseThrow();
