@@ -224,6 +224,8 @@ final class CalibrationJson {
   /** With what the parameters hold together, and what of it the league's message has no field for. */
   private ObjectNode extended(ExtendedCalibration extended) {
     ObjectNode node = nodes.objectNode();
+    double start = outcome.data().epoch().unixSeconds(outcome.data().sessionStart());
+    node.put("session_start_unix", start);
     ArrayNode effects = node.putArray("effects");
     ArrayNode absent = nodes.arrayNode();
     for (Effect effect : extended.model().effects()) {

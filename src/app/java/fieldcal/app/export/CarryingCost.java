@@ -87,7 +87,7 @@ final class CarryingCost {
         sentences.add(
             "Not carried: " + name + ". It is about a kicker, not about the ball's path.");
       } else if (effect instanceof MotionEffect) {
-        Gap gap = gap(whole, without(effect));
+        Gap gap = gap(whole, without(effect), kicks);
         priced.add(
             Map.entry(
                 gap.rms()[1], "Not carried: " + name + ". That alone costs " + words(gap) + "."));
@@ -126,34 +126,51 @@ final class CarryingCost {
   }
 
   private Optional<String> total() {
-    if (kicks.isEmpty()) {
-      return Optional.empty();
+    List<ReferenceKick> known = kicks.stream().filter(k -> isKnown(k.kind())).toList();
+    String unknown =
+        known.size() == kicks.size()
+            ? ""
+            : "How far its chips are off is not known: it has horizontal dampings of its own.";
+    if (known.isEmpty()) {
+      return Optional.of(unknown).filter(s -> !s.isEmpty());
     }
-    Gap gap = gap(whole, target());
+    return Optional.of(unknown.isEmpty() ? total(known) : total(known) + " " + unknown);
+  }
+
+  /** Whether all parameters of the target's kicks of a kind are known. */
+  private boolean isKnown(KickKind kind) {
+    return kind == KickKind.FLAT || file.unknown().isEmpty();
+  }
+
+  private String total(List<ReferenceKick> compared) {
+    Gap gap = gap(whole, target(), compared);
     boolean seen = gap.rms()[2] >= VISIBLE_MM;
     String reference = whole.effects().isEmpty() ? "the calibrated model" : "the whole model";
     String over =
         ownKicks
-            ? (kicks.size() == 1 ? "over the kick of " : "over the " + kicks.size() + " kicks of ")
+            ? (compared.size() == 1
+                    ? "over the kick of "
+                    : "over the " + compared.size() + " kicks of ")
                 + model.file().getFileName()
-            : "over " + kicks.size() + " kicks of 2 to 6.5 m/s from the centre in all directions";
-    return Optional.of(
-        seen
-            ? "In all, the target's prediction is off from that of "
-                + reference
-                + " by "
-                + words(gap)
-                + ", "
-                + over
-                + "."
-                + compensation()
-            : "The target repeats "
-                + reference
-                + " to within "
-                + VISIBLE_MM
-                + " mm after 2 s, "
-                + over
-                + ".");
+            : "over "
+                + compared.size()
+                + " kicks of 2 to 6.5 m/s from the centre in all directions";
+    return seen
+        ? "In all, the target's prediction is off from that of "
+            + reference
+            + " by "
+            + words(gap)
+            + ", "
+            + over
+            + "."
+            + compensation()
+        : "The target repeats "
+            + reference
+            + " to within "
+            + VISIBLE_MM
+            + " mm after 2 s, "
+            + over
+            + ".";
   }
 
   /** Why the whole is less than a part of it, and than what a diagnosis says of the calibrated model. */
@@ -218,7 +235,7 @@ final class CarryingCost {
     return fixed != null ? fixed : model.quantities().of(used).orElseThrow();
   }
 
-  private Gap gap(ExtendedModel a, ExtendedModel b) {
+  private static Gap gap(ExtendedModel a, ExtendedModel b, List<ReferenceKick> kicks) {
     double[] squares = new double[AHEAD.length];
     double[] worst = new double[AHEAD.length];
     double[] p = new double[3];

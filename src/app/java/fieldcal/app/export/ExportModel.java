@@ -26,6 +26,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.StreamSupport;
 
 /**
  * A model that is to be exported, from any of the files that this program writes.
@@ -301,8 +302,19 @@ public record ExportModel(
             file + ", extended_model.effects[" + effects.size() + "]: " + e.getMessage());
       }
     }
-    double start = root.path("kicks").path(0).path("t").asDouble(0);
-    return Optional.of(new ExtendedModel(models.flat(), models.chip(), effects, start));
+    return Optional.of(
+        new ExtendedModel(models.flat(), models.chip(), effects, sessionStart(root)));
+  }
+
+  /** Unix time from which the effects count, s; of an older file, which does not say it, that of the earliest kick. */
+  private static double sessionStart(JsonNode root) {
+    JsonNode start = root.path("extended_model").path("session_start_unix");
+    return start.isNumber()
+        ? start.asDouble()
+        : StreamSupport.stream(root.path("kicks").spliterator(), false)
+            .mapToDouble(kick -> kick.path("t").asDouble())
+            .min()
+            .orElse(0);
   }
 
   /** Root mean squares over the cameras that saw kicks. */

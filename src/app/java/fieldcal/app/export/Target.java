@@ -54,6 +54,7 @@ public record Target(String name, String title, List<TargetFile> files) {
    * @param carries ids of effects that have a key
    * @param instead parameters that the program does not have, each with the one that it uses instead
    * @param fixed parameters that cannot be set, with the program's value, SI
+   * @param unknown parameters that cannot be set and whose value in the program is not known
    * @param notes for people, whole sentences
    */
   public record TargetFile(
@@ -68,6 +69,7 @@ public record Target(String name, String title, List<TargetFile> files) {
       List<String> carries,
       Map<String, String> instead,
       Map<String, Double> fixed,
+      List<String> unknown,
       List<String> notes) {
     /** Fills in what a descriptor leaves out. {@inheritDoc} */
     public TargetFile {
@@ -75,6 +77,7 @@ public record Target(String name, String title, List<TargetFile> files) {
       carries = carries == null ? List.of() : List.copyOf(carries);
       instead = instead == null ? Map.of() : Map.copyOf(instead);
       fixed = fixed == null ? Map.of() : Map.copyOf(fixed);
+      unknown = unknown == null ? List.of() : List.copyOf(unknown);
       notes = notes == null ? List.of() : List.copyOf(notes);
     }
 

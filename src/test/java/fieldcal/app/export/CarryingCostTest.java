@@ -125,6 +125,54 @@ class CarryingCostTest {
     assertThat(all.get(3)).isGreaterThanOrEqualTo(Collections.max(all.subList(0, 3)));
   }
 
+  /** Of grSim's chips only the bounce factor can be set. */
+  @Test
+  void aTargetWhoseChipsAreNotKnownIsNotSaidToRepeatThem() throws IOException {
+    String file =
+        """
+        {"schema": "fieldcal.calibration/1", "cameras": [], "sources": [],
+         "kicks": [{"id": 1, "kind": "chip", "t": 10, "rms_mm": 1, "kick_position": [0, 0],
+                    "kick_velocity": [3, 0, 3], "selected": true}],
+         "flat": {},
+         "chip": {"damping_xy_first_hop": {"mean": 0.7}, "damping_xy_other_hops": {"mean": 0.9},
+                  "damping_z": {"mean": 0.5}}}
+        """;
+    assertThat(ofText("grsim", file))
+        .noneMatch(n -> n.startsWith("The target repeats"))
+        .contains("How far its chips are off is not known: it has horizontal dampings of its own.");
+    assertThat(ofText("sumatra", file)).anyMatch(n -> n.startsWith("The target repeats"));
+  }
+
+  /** A kick long after the session's begin: what changes during the session had changed by then. */
+  @Test
+  void effectsCountFromTheBeginOfTheSession() throws IOException {
+    String file =
+        """
+        {"schema": "fieldcal.calibration/1", "cameras": [], "sources": [],
+         "kicks": [{"id": 2, "kind": "flat", "t": 1090, "rms_mm": 1, "kick_position": [0, 0],
+                    "kick_velocity": [6, 0, 0], "selected": true},
+                   {"id": 1, "kind": "flat", "t": 1030, "rms_mm": 1, "kick_position": [0, 0],
+                    "kick_velocity": [6, 0, 0], "selected": true}],
+         "flat": {"acc_slide": {"mean": -3.1}, "acc_roll": {"mean": -0.24}, "k_switch": {"mean": 0.66}},
+         "chip": {},
+         "extended_model": {START "effects": [
+             {"effect": "air_drag", "parameters": {"cd": 0.45}}]}}
+        """;
+    Path path = folder.resolve("calibration.json");
+    Files.writeString(path, file.replace("START", "\"session_start_unix\": 1000,"));
+    assertThat(ExportModel.read(path).extended().orElseThrow().sessionStart()).isEqualTo(1000);
+    Files.writeString(path, file.replace("START", ""));
+    assertThat(ExportModel.read(path).extended().orElseThrow().sessionStart()).isEqualTo(1030);
+  }
+
+  private List<String> ofText(String target, String text) throws IOException {
+    Path file = folder.resolve("calibration.json");
+    Files.writeString(file, text);
+    return new Exporter(
+            Target.of(target), ExportModel.read(file), Optional.empty(), Optional.empty())
+        .notes();
+  }
+
   private static double oneSecond(String note) {
     Matcher m = Pattern.compile("([0-9.]+) mm after 1 s").matcher(note);
     assertThat(m.find()).as(note).isTrue();
