@@ -1,11 +1,7 @@
 package fieldcal.app.compare;
 
-import fieldcal.app.calibrate.CommandFile.Command;
-import fieldcal.ball.BallState;
-import fieldcal.diagnosis.KickResiduals;
-import java.util.ArrayList;
+import fieldcal.app.calibrate.CommandedKick;
 import java.util.List;
-import java.util.Optional;
 import org.apache.commons.math3.distribution.FDistribution;
 import org.apache.commons.math3.stat.StatUtils;
 import org.apache.commons.math3.stat.inference.TestUtils;
@@ -68,19 +64,11 @@ final class Kickers {
 
   /** Speed over command, and direction off it, rad. */
   private static double[][] deviations(Side side) {
-    List<double[]> all = new ArrayList<>();
-    for (KickResiduals kick : side.diagnosis().diagnosis().kicks()) {
-      Optional<Command> command = side.diagnosis().calibration().command(kick.kick());
-      if (command.isPresent() && command.get().speed() > 0) {
-        BallState s = kick.after().stateAt(kick.after().kickTime());
-        double speed = Math.sqrt(s.vx() * s.vx() + s.vy() * s.vy() + s.vz() * s.vz());
-        double aside = Math.atan2(s.vy(), s.vx()) - command.get().direction();
-        all.add(
-            new double[] {speed / command.get().speed(), Math.IEEEremainder(aside, 2 * Math.PI)});
-      }
-    }
+    List<CommandedKick> all =
+        CommandedKick.of(side.diagnosis().calibration(), side.diagnosis().diagnosis().kicks());
     return new double[][] {
-      all.stream().mapToDouble(d -> d[0]).toArray(), all.stream().mapToDouble(d -> d[1]).toArray()
+      all.stream().mapToDouble(CommandedKick::gain).toArray(),
+      all.stream().mapToDouble(CommandedKick::yaw).toArray()
     };
   }
 }

@@ -1,7 +1,7 @@
 package fieldcal.app.play;
 
 import fieldcal.app.calibrate.CalibrationOutcome;
-import fieldcal.app.calibrate.CommandFile.Command;
+import fieldcal.app.calibrate.CommandedKick;
 import fieldcal.fit.Estimate;
 import fieldcal.fit.KickFit;
 import fieldcal.kick.KickKind;
@@ -95,28 +95,28 @@ public record KickStrength(
   public static List<KickStrength> of(CalibrationOutcome outcome) {
     Map<RobotId, Map<KickKind, List<Pair>>> pairs = new TreeMap<>();
     for (KickFit fit : outcome.calibration().trusted()) {
-      Optional<Command> command = outcome.command(fit.kick());
-      if (command.isPresent() && command.get().kind().equals(fit.kind().id())) {
-        pairs
-            .computeIfAbsent(command.get().robot(), r -> new TreeMap<>())
-            .computeIfAbsent(fit.kind(), k -> new ArrayList<>())
-            .add(pair(fit, command.get()));
-      }
+      commanded(outcome, fit)
+          .ifPresent(
+              kick ->
+                  pairs
+                      .computeIfAbsent(kick.command().robot(), r -> new TreeMap<>())
+                      .computeIfAbsent(kick.kind(), k -> new ArrayList<>())
+                      .add(
+                          new Pair(
+                              kick.command().speed(), kick.speed(), kick.yaw(), kick.elevation())));
     }
     List<KickStrength> all = new ArrayList<>();
     pairs.forEach((robot, kinds) -> kinds.forEach((kind, list) -> all.add(fit(robot, kind, list))));
     return all;
   }
 
-  private static Pair pair(KickFit fit, Command command) {
-    double vx = fit.estimate("vx").value();
-    double vy = fit.estimate("vy").value();
-    double vz = fit.kind() == KickKind.CHIP ? fit.estimate("vz").value() : 0;
-    double ground = Math.hypot(vx, vy);
-    double yaw = Math.IEEEremainder(Math.atan2(vy, vx) - command.direction(), 2 * Math.PI);
-    double elevation =
-        fit.kind() == KickKind.CHIP ? Math.atan2(vz, ground) - command.elevation() : 0;
-    return new Pair(command.speed(), Math.hypot(ground, vz), yaw, elevation);
+  private static Optional<CommandedKick> commanded(CalibrationOutcome outcome, KickFit fit) {
+    return CommandedKick.of(
+        outcome.command(fit.kick()),
+        fit.kind(),
+        fit.estimate("vx").value(),
+        fit.estimate("vy").value(),
+        fit.kind() == KickKind.CHIP ? fit.estimate("vz").value() : 0);
   }
 
   /** From one robot's kicks of one kind. */

@@ -1,9 +1,6 @@
 package fieldcal.app.twin;
 
-import fieldcal.app.calibrate.CommandFile.Command;
-import fieldcal.app.diagnose.DiagnosisOutcome;
-import fieldcal.ball.BallState;
-import fieldcal.diagnosis.KickResiduals;
+import fieldcal.app.calibrate.CommandedKick;
 import fieldcal.effect.motion.KickSpin;
 import fieldcal.effect.motion.SideSpin;
 import fieldcal.kick.KickKind;
@@ -11,6 +8,7 @@ import fieldcal.simulation.KickBehaviour;
 import fieldcal.simulation.KickBehaviour.Bias;
 import fieldcal.vision.RobotId;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -22,35 +20,40 @@ final class KickerStudy {
   /** Fewest kicks of a robot whose gain is measured. */
   private static final int FEWEST = 3;
 
-  private final DiagnosisOutcome diagnosis;
+  private final List<CommandedKick> kicks;
   private final List<String> notes;
 
-  KickerStudy(DiagnosisOutcome diagnosis, List<String> notes) {
-    this.diagnosis = diagnosis;
+  /** Of kicks whose commands are known. */
+  KickerStudy(List<CommandedKick> kicks, List<String> notes) {
+    this.kicks = kicks;
     this.notes = notes;
   }
 
-  /** One commanded kick: speed over command, direction and elevation off the command, rad. */
-  private record Deviation(double gain, double yaw, double elevation) {}
-
   /** With the mean and scatter of spins by the effect's id. */
   KickBehaviour behaviour(Map<String, Spin> spins) {
-    Map<RobotId, List<Deviation>> byRobot = deviations();
     KickBehaviour usual = KickBehaviour.DEFAULT;
     List<Bias> biases = new ArrayList<>();
-    List<Deviation> rest = new ArrayList<>();
-    byRobot.forEach(
-        (robot, list) -> {
-          if (list.size() >= FEWEST) {
-            double gain = median(list.stream().mapToDouble(Deviation::gain).toArray());
-            double yaw = median(list.stream().mapToDouble(Deviation::yaw).toArray());
-            biases.add(new Bias(gain - 1, yaw, robot.team(), Optional.of(robot.number())));
-            list.forEach(d -> rest.add(new Deviation(d.gain / gain - 1, d.yaw - yaw, d.elevation)));
-          }
-        });
+    List<double[]> gains = new ArrayList<>();
+    List<double[]> yaws = new ArrayList<>();
+    List<CommandedKick> known = new ArrayList<>();
+    byRobot()
+        .forEach(
+            (robot, list) -> {
+              if (list.size() >= FEWEST) {
+                double[] gain = list.stream().mapToDouble(CommandedKick::gain).toArray();
+                double[] yaw = list.stream().mapToDouble(CommandedKick::yaw).toArray();
+                double usualGain = median(gain);
+                biases.add(
+                    new Bias(
+                        usualGain - 1, median(yaw), robot.team(), Optional.of(robot.number())));
+                gains.add(Arrays.stream(gain).map(g -> g / usualGain).toArray());
+                yaws.add(yaw);
+                known.addAll(list);
+              }
+            });
     Spin roll = spins.getOrDefault("kick_spin", new Spin(new KickSpin(0), 0));
     Spin side = spins.getOrDefault("side_spin", new Spin(new SideSpin(0), 0));
-    if (rest.isEmpty()) {
+    if (known.isEmpty()) {
       notes.add(
           "No commands are known (--commands): the kickers do what is commanded, with a usual"
               + " scatter.");
@@ -60,11 +63,14 @@ final class KickerStudy {
           .withSideSpin(side.number("fraction"), side.scatter());
     }
     double[] elevations =
-        rest.stream().mapToDouble(Deviation::elevation).filter(Double::isFinite).toArray();
+        known.stream()
+            .filter(k -> k.kind() == KickKind.CHIP)
+            .mapToDouble(CommandedKick::elevation)
+            .toArray();
     return new KickBehaviour(
-        deviation(rest.stream().mapToDouble(Deviation::gain).toArray()),
-        deviation(rest.stream().mapToDouble(Deviation::yaw).toArray()),
-        elevations.length < FEWEST ? usual.elevationScatter() : deviation(elevations),
+        deviation(gains),
+        deviation(yaws),
+        elevations.length < FEWEST ? usual.elevationScatter() : deviation(List.of(elevations)),
         roll.number("fraction"),
         roll.scatter(),
         roll.number("chips"),
@@ -74,24 +80,10 @@ final class KickerStudy {
         List.of());
   }
 
-  private Map<RobotId, List<Deviation>> deviations() {
-    Map<RobotId, List<Deviation>> byRobot = new TreeMap<>();
-    for (KickResiduals kick : diagnosis.diagnosis().kicks()) {
-      Optional<Command> command = diagnosis.calibration().command(kick.kick());
-      if (command.isEmpty() || !(command.get().speed() > 0)) {
-        continue;
-      }
-      Command c = command.get();
-      BallState start = kick.after().stateAt(kick.after().kickTime());
-      double flat = Math.hypot(start.vx(), start.vy());
-      double speed = Math.hypot(flat, start.vz());
-      double yaw =
-          Math.IEEEremainder(Math.atan2(start.vy(), start.vx()) - c.direction(), 2 * Math.PI);
-      double elevation =
-          kick.kind() == KickKind.CHIP ? Math.atan2(start.vz(), flat) - c.elevation() : Double.NaN;
-      byRobot
-          .computeIfAbsent(c.robot(), r -> new ArrayList<>())
-          .add(new Deviation(speed / c.speed(), yaw, elevation));
+  private Map<RobotId, List<CommandedKick>> byRobot() {
+    Map<RobotId, List<CommandedKick>> byRobot = new TreeMap<>();
+    for (CommandedKick kick : kicks) {
+      byRobot.computeIfAbsent(kick.command().robot(), r -> new ArrayList<>()).add(kick);
     }
     return byRobot;
   }
@@ -100,7 +92,14 @@ final class KickerStudy {
     return StatUtils.percentile(values, 50);
   }
 
-  private static double deviation(double[] values) {
-    return values.length < 2 ? 0 : Math.sqrt(StatUtils.variance(values));
+  /** Of all values about the mean of their group, each of which takes one degree of freedom; about medians the squares would be larger. */
+  private static double deviation(List<double[]> groups) {
+    double squares = 0;
+    int free = 0;
+    for (double[] values : groups) {
+      squares += (values.length - 1) * StatUtils.variance(values);
+      free += values.length - 1;
+    }
+    return Math.sqrt(squares / free);
   }
 }

@@ -1,6 +1,7 @@
 package fieldcal.app.twin;
 
 import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.calibrate.CommandedKick;
 import fieldcal.app.calibrate.InputException;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.limits.LimitsOutcome;
@@ -77,10 +78,11 @@ final class TwinBuilder {
     SimulationSettings base = SimulationSettings.DEFAULT;
     Exposure exposure = study.together() ? Exposure.TOGETHER : Exposure.FREE;
     CameraSettings vision = base.cameras().withCount(Math.min(8, cameras.size()));
+    List<CommandedKick> commanded = CommandedKick.of(calibration, diagnosis.diagnosis().kicks());
     SimulationSettings settings =
         base.withField(fieldOf(geometry))
             .withPhysics(physics(model))
-            .withKickBehaviour(new KickerStudy(diagnosis, notes).behaviour(scatters()))
+            .withKickBehaviour(new KickerStudy(commanded, notes).behaviour(scatters()))
             .withCameras(vision.withExposure(exposure))
             .withNuisance(Nuisance.NONE)
             .withPublishedModels(calibration.data().published())
