@@ -25,6 +25,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.DoubleStream;
 import org.apache.commons.math3.stat.StatUtils;
@@ -58,6 +59,11 @@ final class CameraStudy {
 
   /** Latency where nothing tells, s (chosen: what logs of 2026 show). */
   private static final double USUAL_LATENCY = 0.011;
+
+  /** Frames per second that the simulator allows, 1/s. */
+  private static final double SLOWEST = 5;
+
+  private static final double FASTEST = 1000;
 
   /** Stands for the frame number of a robot that was not yet seen: far below all others. */
   private static final double UNSEEN = -1e9;
@@ -109,23 +115,34 @@ final class CameraStudy {
     return same;
   }
 
-  /** All cameras that sent frames. */
+  /** All cameras that sent enough frames to tell their rate. */
   List<InstalledCamera> cameras(Map<Integer, CameraCalibration> published) {
-    List<Integer> ids =
-        field.frames().stream()
-            .flatMap(f -> f.frames().keySet().stream())
-            .distinct()
-            .sorted()
-            .toList();
+    Map<Integer, Double> rates = new TreeMap<>();
+    field.frames().stream()
+        .flatMap(f -> f.frames().keySet().stream())
+        .forEach(id -> rates.put(id, rate(id)));
+    rates.forEach(
+        (id, rate) -> {
+          if (!isRate(rate)) {
+            notes.add(
+                "Camera "
+                    + id
+                    + " sent too few frames to tell its rate: the twin does not have it.");
+          }
+        });
+    rates.values().removeIf(rate -> !isRate(rate));
     boolean together = together();
-    double common =
-        together ? ids.stream().mapToDouble(this::rate).average().orElse(Double.NaN) : Double.NaN;
+    double common = rates.values().stream().mapToDouble(rate -> rate).average().orElse(Double.NaN);
     NoiseGrowth growth = growth(published);
     List<InstalledCamera> all = new ArrayList<>();
-    for (int id : ids) {
-      all.add(camera(id, published.get(id), growth, together ? common : rate(id), together));
-    }
+    rates.forEach(
+        (id, rate) ->
+            all.add(camera(id, published.get(id), growth, together ? common : rate, together)));
     return all;
+  }
+
+  private static boolean isRate(double rate) {
+    return rate >= SLOWEST && rate <= FASTEST;
   }
 
   private double over(int id, ToDoubleFunction<CameraStatistics> what) {

@@ -74,6 +74,9 @@ final class TwinBuilder {
     requireCameras(logs, published);
     CameraStudy study = new CameraStudy(field);
     List<InstalledCamera> cameras = study.cameras(published);
+    if (cameras.isEmpty()) {
+      throw new InputException(logs + ": no camera sent enough frames to tell its rate");
+    }
     ExtendedModel model = diagnosis.diagnosis().model();
     SimulationSettings base = SimulationSettings.DEFAULT;
     Exposure exposure = study.together() ? Exposure.TOGETHER : Exposure.FREE;
@@ -169,7 +172,9 @@ final class TwinBuilder {
     double[] reach = {settings.field().length() / 2, settings.field().width() / 2};
     double[] session = {0, Math.max(1, sessionLength())};
     for (Effect effect : model.effects()) {
-      if (effect instanceof LearnedTerm term) {
+      if (isOfMissingCamera(effect, settings.installed())) {
+        notes.add("The twin has no " + EffectName.of(effect) + ": it has no such camera.");
+      } else if (effect instanceof LearnedTerm term) {
         switch (term.actsOn()) {
           case "kick" -> spins.add(LearnedTables.spin(term));
           case "measurement" -> {
@@ -200,6 +205,12 @@ final class TwinBuilder {
         .withKickBehaviour(settings.kickBehaviour().withSpinTables(spins))
         .withInstalled(cameras)
         .withEffects(effects);
+  }
+
+  /** Whether it is an error of a camera that the twin has not. */
+  private static boolean isOfMissingCamera(Effect effect, List<InstalledCamera> cameras) {
+    return EffectFields.of(effect).get("camera") instanceof Number id
+        && cameras.stream().noneMatch(c -> c.id() == id.intValue());
   }
 
   /** The measured delay counts from the time stamp; by so much that comes after the exposure, s. */

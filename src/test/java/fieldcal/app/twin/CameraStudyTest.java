@@ -11,6 +11,7 @@ import fieldcal.app.statistics.RecordedFrames;
 import fieldcal.app.statistics.Statistic;
 import fieldcal.calibration.HandSelection;
 import fieldcal.fit.FitSettings;
+import fieldcal.gamelog.RecordingStatistics;
 import fieldcal.simulation.imaging.InstalledCamera;
 import fieldcal.vision.RobotDetection;
 import fieldcal.vision.RobotId;
@@ -49,11 +50,14 @@ class CameraStudyTest {
   private static FieldRecording with(UnaryOperator<List<VisionFrame>> change) {
     RecordedFrames one = field.frames().get(0);
     Map<Integer, List<VisionFrame>> frames = new TreeMap<>();
+    RecordingStatistics statistics = new RecordingStatistics();
     one.frames().forEach((id, list) -> frames.put(id, change.apply(list)));
+    frames.values().forEach(list -> list.forEach(f -> statistics.onFrame(f, f.sentTime())));
     return new FieldRecording(
         field.calibration(),
         List.of(
-            new RecordedFrames(one.log(), frames, one.cameras(), one.spans(), one.duplicates())));
+            new RecordedFrames(
+                one.log(), frames, statistics.cameras(), one.spans(), one.duplicates())));
   }
 
   private static List<VisionFrame> numbered(List<VisionFrame> frames, int step) {
@@ -114,5 +118,18 @@ class CameraStudyTest {
     assertThat(expected.get(0).robotNoise()).isBetween(0.0008, 0.0012);
     assertThat(cameras(shared)).isEqualTo(expected);
     assertThat(statistics(shared)).isEqualTo(statistics(alone));
+  }
+
+  /** Of a camera that sent few frames the rate is not known; the others have theirs. */
+  @Test
+  void aCameraOfFewFramesIsLeftOut() {
+    FieldRecording few =
+        with(list -> list.get(0).cameraId() == 2 ? List.copyOf(list.subList(0, 10)) : list);
+    CameraStudy study = new CameraStudy(few);
+    assertThat(study.cameras(CameraStudy.published(few)))
+        .extracting(InstalledCamera::id)
+        .containsExactly(0, 1, 3);
+    assertThat(study.notes())
+        .contains("Camera 2 sent too few frames to tell its rate: the twin does not have it.");
   }
 }
