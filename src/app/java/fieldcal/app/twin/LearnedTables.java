@@ -1,8 +1,11 @@
 package fieldcal.app.twin;
 
-import fieldcal.camera.Camera;
+import fieldcal.effect.learned.Basis;
+import fieldcal.effect.learned.Harmonics;
 import fieldcal.effect.learned.LearnedTerm;
+import fieldcal.effect.learned.Levels;
 import fieldcal.effect.learned.Quantity;
+import fieldcal.effect.learned.Spline;
 import fieldcal.effect.learned.Variable;
 import fieldcal.simulation.KickBehaviour.SpinTable;
 import fieldcal.simulation.imaging.TabulatedError;
@@ -10,6 +13,7 @@ import fieldcal.simulation.physics.Table;
 import fieldcal.simulation.physics.TabulatedLaw;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** Learned terms of a diagnosis as tables, which the simulator integrates: it knows nothing of the functions that they were fitted with. */
 final class LearnedTables {
@@ -22,15 +26,10 @@ final class LearnedTables {
   /** Impacts that are distinguished; later hops are below 10 mm. */
   private static final int HOPS = 8;
 
-  /** How far tables over a speed and over the time since the kick reach, m/s and s: a learned curve is constant beyond its last knot, which lies before. */
-  private static final double FASTEST = 10;
-
-  private static final double LONGEST = 20;
-
   private LearnedTables() {}
 
   /** One law for each component of the term. */
-  static List<TabulatedLaw> laws(LearnedTerm term, double[] field, double[] session) {
+  static List<TabulatedLaw> laws(LearnedTerm term, double[] field) {
     Variable variable = term.family().variables().get(0);
     Quantity quantity = term.family().quantity();
     List<TabulatedLaw.Quantity> changes =
@@ -48,45 +47,47 @@ final class LearnedTables {
           new TabulatedLaw(
               changes.get(c),
               TabulatedLaw.Variable.valueOf(variable.name()),
-              table(term, c, variable, field, session)));
+              table(term, c, field)));
     }
     return laws;
   }
 
   static SpinTable spin(LearnedTerm term) {
     Variable variable = term.family().variables().get(0);
-    return new SpinTable(
-        variable == Variable.HEADING, table(term, 0, variable, new double[2], new double[2]));
+    return new SpinTable(variable == Variable.HEADING, table(term, 0, new double[2]));
   }
 
-  static TabulatedError error(LearnedTerm term, double[] view, double[] session) {
+  /** Empty where the simulator's cameras have no such error: all balls of a frame have one time stamp, so it cannot depend on the speed of one of them. */
+  static Optional<TabulatedError> error(LearnedTerm term, double[] view) {
     Variable variable = term.family().variables().get(0);
     Quantity quantity = term.family().quantity();
+    if (variable == Variable.SPEED) {
+      return Optional.empty();
+    }
     List<Table> tables = new ArrayList<>();
     for (int c = 0; c < quantity.components(); c++) {
-      tables.add(table(term, c, variable, view, session));
+      tables.add(table(term, c, view));
     }
-    return new TabulatedError(
-        TabulatedError.Quantity.valueOf(quantity.name()),
-        TabulatedError.Variable.valueOf(variable.name()),
-        tables);
+    return Optional.of(
+        new TabulatedError(
+            TabulatedError.Quantity.valueOf(quantity.name()),
+            TabulatedError.Variable.valueOf(variable.name()),
+            tables));
   }
 
-  private static Table table(
-      LearnedTerm term, int component, Variable variable, double[] reach, double[] session) {
-    return switch (variable) {
-      case PLACE, IMAGE_POSITION -> surface(term, component, reach[0], reach[1]);
-      case HEADING -> curve(term, component, -Math.PI, Math.PI, POINTS, 2 * Math.PI);
-      case DISTANCE_ROLLED -> {
-        double turn = 2 * Math.PI * Camera.BALL_RADIUS;
-        yield curve(term, component, 0, turn, POINTS, turn);
-      }
-      case HOP -> curve(term, component, 1, HOPS, HOPS, 0);
-      case SESSION_TIME -> curve(term, component, session[0], session[1], POINTS, 0);
-      case TIME_SINCE_KICK -> curve(term, component, 0, LONGEST, POINTS, 0);
-      case SPEED, SLIP, VERTICAL_SPEED, GROUND_SPEED ->
-          curve(term, component, 0, FASTEST, POINTS, 0);
-    };
+  /** Over one period, or over the range of the knots, beyond which both the term and the table are constant. */
+  private static Table table(LearnedTerm term, int component, double[] reach) {
+    Basis basis = term.family().basis();
+    if (basis instanceof Harmonics h) {
+      return curve(term, component, 0, h.period(), POINTS, h.period());
+    }
+    if (basis instanceof Spline s) {
+      return curve(term, component, s.from(), s.to(), POINTS, 0);
+    }
+    if (basis instanceof Levels) {
+      return curve(term, component, 1, HOPS, HOPS, 0);
+    }
+    return surface(term, component, reach[0], reach[1]);
   }
 
   private static double[] grid(double from, double to, int points) {

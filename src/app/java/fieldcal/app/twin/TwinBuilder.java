@@ -30,6 +30,7 @@ import fieldcal.simulation.imaging.CameraSettings;
 import fieldcal.simulation.imaging.CameraSettings.Exposure;
 import fieldcal.simulation.imaging.InstalledCamera;
 import fieldcal.simulation.imaging.Nuisance;
+import fieldcal.simulation.imaging.TabulatedError;
 import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.simulation.physics.Region;
 import fieldcal.simulation.physics.TabulatedLaw;
@@ -40,6 +41,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 
 /** Makes a twin of what a diagnosis, the frames and the movement of the robots tell. */
@@ -170,7 +172,6 @@ final class TwinBuilder {
     List<SpinTable> spins = new ArrayList<>();
     Map<Integer, CameraErrors> errors = new LinkedHashMap<>();
     double[] reach = {settings.field().length() / 2, settings.field().width() / 2};
-    double[] session = {0, Math.max(1, sessionLength())};
     for (Effect effect : model.effects()) {
       if (isOfMissingCamera(effect, settings.installed())) {
         notes.add("The twin has no " + EffectName.of(effect) + ": it has no such camera.");
@@ -180,13 +181,18 @@ final class TwinBuilder {
           case "measurement" -> {
             int camera = term.camera().orElseThrow();
             double[] view = reach(settings, camera, reach);
-            errors.merge(
-                camera,
-                CameraErrors.NONE.withTable(LearnedTables.error(term, view, session)),
-                CameraErrors::plus);
+            Optional<TabulatedError> error = LearnedTables.error(term, view);
+            error.ifPresent(
+                e -> errors.merge(camera, CameraErrors.NONE.withTable(e), CameraErrors::plus));
+            if (error.isEmpty()) {
+              notes.add(
+                  "The simulator cannot have "
+                      + EffectName.of(effect)
+                      + ": its cameras' time stamps do not depend on the speed of the ball.");
+            }
           }
           default -> {
-            for (TabulatedLaw law : LearnedTables.laws(term, reach, session)) {
+            for (TabulatedLaw law : LearnedTables.laws(term, reach)) {
               physics = physics.withExtra(law);
             }
           }
@@ -219,15 +225,6 @@ final class TwinBuilder {
         .filter(e -> e.effect() == SimulatedEffect.CAMERA_TIME_OFFSET && e.concernsCamera(camera))
         .mapToDouble(e -> 1e-3 * e.number("ms"))
         .sum();
-  }
-
-  private double sessionLength() {
-    double start = field.calibration().data().sessionStart();
-    return field.frames().stream()
-        .flatMap(f -> f.spans().stream())
-        .mapToDouble(s -> s[1] - start)
-        .max()
-        .orElse(1);
   }
 
   private static double[] reach(SimulationSettings settings, int camera, double[] whole) {

@@ -16,6 +16,8 @@ public final class BallBody {
   private MotionPhase phase = MotionPhase.RESTING;
   private int impacts;
   private double launchTime = Double.NaN;
+  private double launchX;
+  private double launchY;
   private double path;
 
   /** A ball at rest at the field's centre. */
@@ -42,6 +44,8 @@ public final class BallBody {
     Arrays.fill(gainedVelocity, 0);
     impacts = 0;
     launchTime = Double.NaN;
+    launchX = state[0];
+    launchY = state[1];
     path = 0;
   }
 
@@ -207,6 +211,16 @@ public final class BallBody {
       launchTime = now;
     }
     return launchTime;
+  }
+
+  /** Where it was launched, x in the field frame, m. */
+  double launchX() {
+    return launchX;
+  }
+
+  /** Where it was launched, y in the field frame, m. */
+  double launchY() {
+    return launchY;
   }
 
   /** Way on the carpet since the launch, m. */

@@ -13,6 +13,7 @@ public final class BallMoment {
   double sessionTime;
   double sinceKick;
   double path;
+  double distance;
   int hop;
 
   BallMoment() {}
@@ -123,6 +124,15 @@ public final class BallMoment {
    */
   public double path() {
     return path;
+  }
+
+  /**
+   * Straight distance over the ground from where the ball was launched last.
+   *
+   * @return m
+   */
+  public double distanceFromKick() {
+    return distance;
   }
 
   /**

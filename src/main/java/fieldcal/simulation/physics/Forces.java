@@ -31,6 +31,8 @@ final class Forces {
   private double startX;
   private double startY;
   private double startPath;
+  private double launchX;
+  private double launchY;
   private int hop = 1;
   private boolean worn;
   private double wear = 1;
@@ -69,6 +71,8 @@ final class Forces {
     startX = ball.state[0];
     startY = ball.state[1];
     startPath = ball.path();
+    launchX = ball.launchX();
+    launchY = ball.launchY();
     hop = ball.impacts() + 1;
     for (int i = 0; i < seams.length; i++) {
       beyond[i] = seams[i].beyond(startX, startY);
@@ -122,6 +126,7 @@ final class Forces {
         phase == MotionPhase.FLYING
             ? startPath
             : startPath + Math.hypot(s[0] - startX, s[1] - startY);
+    moment.distance = Math.hypot(s[0] - launchX, s[1] - launchY);
     moment.hop = hop;
     return moment;
   }

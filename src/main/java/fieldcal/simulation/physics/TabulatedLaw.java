@@ -75,7 +75,7 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
     HEADING(1),
     /** Place on the field, x and y, m. */
     PLACE(2),
-    /** Way on the carpet since the kick, m. */
+    /** Straight distance from the place of the kick, m. */
     DISTANCE_ROLLED(1),
     /** Vertical speed before an impact, m/s, positive. */
     VERTICAL_SPEED(1),
@@ -131,7 +131,7 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
       case SESSION_TIME -> table.at(m.sessionTime(), 0);
       case HEADING -> table.at(ofSlip() ? m.slipHeading() : m.heading(), 0);
       case PLACE -> table.at(m.x(), m.y());
-      case DISTANCE_ROLLED -> table.at(m.path(), 0);
+      case DISTANCE_ROLLED -> table.at(m.distanceFromKick(), 0);
       case VERTICAL_SPEED -> table.at(Math.abs(m.vz()), 0);
       case HOP -> table.at(m.hop(), 0);
     };
