@@ -88,6 +88,8 @@ class CalibrateUnderModelTest {
         .isEqualTo("[\"air_drag\",\"drift\",\"camera_time_offset\"]");
     assertThat(model.get("effects").get(0).get("parameters").get("cd").doubleValue())
         .isEqualTo(0.45);
+    // Not the begin in the model's file, which is another recording's.
+    assertThat(model.get("session_start_unix").doubleValue()).isGreaterThan(1_600_000_100);
     assertThat(model.get("settled").booleanValue()).isTrue();
     assertThat(model.get("rounds").intValue()).isPositive();
   }

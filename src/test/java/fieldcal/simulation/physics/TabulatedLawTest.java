@@ -83,6 +83,27 @@ class TabulatedLawTest {
         .withMessageContaining("hop is one number");
   }
 
+  /** As in the model: how far off the place of the kick a ball is that turns, not how far it has rolled. */
+  @Test
+  void distanceRolledIsStraightFromTheKick() {
+    Table constant = Table.curve(new double[] {0}, new double[] {0.5}, 0);
+    Table growing = Table.curve(new double[] {0, 10}, new double[] {0, 1}, 0);
+    TabulatedLaw law = new TabulatedLaw(Quantity.ROLLING, Variable.DISTANCE_ROLLED, growing);
+    double[] detour = new double[1];
+    ExtraLaw watcher =
+        new ExtraLaw() {
+          @Override
+          public double rollingFactor(BallMoment m) {
+            double straight = Math.hypot(m.x(), m.y());
+            assertThat(law.rollingFactor(m)).isCloseTo(1 + straight / 10, within(1e-9));
+            detour[0] = Math.max(detour[0], m.path() - straight);
+            return 1;
+          }
+        };
+    after(with(Quantity.ACCELERATION_ACROSS, Variable.SPEED, constant).withExtra(watcher), 3, 0, 4);
+    assertThat(detour[0]).isGreaterThan(0.1);
+  }
+
   /** Rolling deceleration that grows with speed, as a formula and as a table of the acceleration along the path. */
   @Test
   void brakingBySpeedEqualsItsFormula() {
