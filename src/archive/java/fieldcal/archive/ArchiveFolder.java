@@ -1,5 +1,6 @@
 package fieldcal.archive;
 
+import fieldcal.app.calibrate.InputException;
 import fieldcal.app.files.WholeFile;
 import fieldcal.app.recording.LogOpener;
 import fieldcal.archive.match.Fingerprint;
@@ -15,11 +16,12 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
+import java.util.Set;
 import java.util.stream.Stream;
 
 /**
@@ -35,6 +37,8 @@ record ArchiveFolder(String root) implements Serializable {
   private static final String STATE = "state";
   private static final String DONE = ".done";
   private static final String UNFINISHED = "unfinished-";
+  private static final String TOURNAMENT = "tournament=";
+  private static final String MATCH = "match=";
 
   private Path state() {
     return Path.of(root, STATE);
@@ -125,10 +129,9 @@ record ArchiveFolder(String root) implements Serializable {
 
   /** Where the rows of a table are that come from one log. */
   Path file(Table table, LogFile log) {
-    return Path.of(root)
-        .resolve(table.name())
-        .resolve("tournament=" + log.tournament())
-        .resolve("match=" + log.match())
+    return folder(table)
+        .resolve(TOURNAMENT + log.tournament())
+        .resolve(MATCH + log.match())
         .resolve((log.log() == null ? "unreadable" : log.log()) + ".parquet");
   }
 
@@ -211,11 +214,11 @@ record ArchiveFolder(String root) implements Serializable {
     return Files.exists(file) ? ParquetFile.read(table, file) : List.of();
   }
 
-  /** Removes files and folders of a table whose logs are not among those given. */
+  /** Removes a table's files whose logs are not among those given, and folders of matches that are empty. Whatever else lies there is somebody else's and stays. */
   void keepOnly(Table table, List<LogFile> logs) throws IOException {
-    Map<Path, LogFile> expected = new TreeMap<>();
-    logs.forEach(log -> expected.put(file(table, log), log));
-    Path folder = Path.of(root, table.name());
+    Set<Path> expected = new HashSet<>();
+    logs.forEach(log -> expected.add(file(table, log)));
+    Path folder = folder(table);
     if (!Files.isDirectory(folder)) {
       return;
     }
@@ -224,9 +227,61 @@ record ArchiveFolder(String root) implements Serializable {
       all = files.sorted(Comparator.reverseOrder()).toList();
     }
     for (Path path : all) {
-      boolean emptyFolder = Files.isDirectory(path) && list(path, "").isEmpty();
-      if (emptyFolder || Files.isRegularFile(path) && !expected.containsKey(path)) {
+      Path place = folder.relativize(path);
+      boolean stale = isFileOfALog(place) && Files.isRegularFile(path) && !expected.contains(path);
+      boolean left = isFolderOfLogs(place) && Files.isDirectory(path) && list(path, "").isEmpty();
+      if (stale || left) {
         Files.delete(path);
+      }
+    }
+  }
+
+  private Path folder(Table table) {
+    return Path.of(root, table.name());
+  }
+
+  private static boolean isFileOfALog(Path place) {
+    return place.getNameCount() == 3
+        && isFolderOfLogs(place.getParent())
+        && place.getFileName().toString().matches(".*\\.parquet(\\.part)?");
+  }
+
+  /** Of a tournament, or of one of its matches. */
+  private static boolean isFolderOfLogs(Path place) {
+    return place.getNameCount() <= 2
+        && place.getName(0).toString().startsWith(TOURNAMENT)
+        && (place.getNameCount() == 1 || place.getName(1).toString().startsWith(MATCH));
+  }
+
+  /**
+   * Makes sure that nothing of somebody else's lies where the tables go.
+   *
+   * @param out the archive, as the operator named it
+   * @param logs that are to be read
+   * @throws InputException when a log lies there, or when there is no archive yet but one of the folders is not empty
+   */
+  void requireOwnFolders(Path out, List<LogFile> logs) throws IOException {
+    for (Table table : Tables.ALL) {
+      Path folder = folder(table);
+      if (!Files.exists(folder)) {
+        continue;
+      }
+      Path real = folder.toRealPath();
+      for (LogFile log : logs) {
+        Path path = Path.of(log.path());
+        if (path.startsWith(folder) || path.toRealPath().startsWith(real)) {
+          throw new InputException(
+              log.path()
+                  + ": lies where the archive has its table "
+                  + table.name()
+                  + "; name another directory with --out");
+        }
+      }
+      if (!begun() && !(Files.isDirectory(folder) && list(folder, "").isEmpty())) {
+        throw new InputException(
+            out.resolve(table.name())
+                + ": is there already, and is not of an archive; name another directory with"
+                + " --out");
       }
     }
   }

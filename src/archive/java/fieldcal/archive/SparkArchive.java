@@ -30,6 +30,7 @@ public final class SparkArchive implements ArchiveEngine {
     List<LogFile> files = LogFinder.find(request.paths());
     Path root = request.out().toAbsolutePath().normalize();
     ArchiveFolder folder = new ArchiveFolder(root.toString());
+    folder.requireOwnFolders(request.out(), files);
     ArchiveLock lock = ArchiveLock.take(root);
     try {
       if (folder.begun() && !request.resume()) {

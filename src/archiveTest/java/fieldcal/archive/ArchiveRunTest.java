@@ -264,6 +264,27 @@ class ArchiveRunTest {
     ArchiveLock.take(busy).close();
   }
 
+  /** A folder of logs may be called as a table is. */
+  @Test
+  void nothingThatSomebodyElsePutThereIsRemoved() throws IOException {
+    Path out = Files.createDirectories(folder.resolve("of-somebody"));
+    Path log = out.resolve("matches/flat.log.gz");
+    Files.createDirectories(log.getParent());
+    Files.copy(logs.resolve("cup/flat-1.log.gz"), log);
+    assertThatThrownBy(() -> run(out, "local[1]", false, log.getParent()))
+        .hasMessageContaining("lies where the archive has its table matches");
+    assertThatThrownBy(() -> run(out, "local[1]", false, logs.resolve("cup")))
+        .hasMessageContaining("matches: is there already, and is not of an archive");
+
+    ArchiveFolder archive = new ArchiveFolder(out.toString());
+    Path stale = out.resolve("matches/tournament=cup/match=old/old.parquet");
+    Files.createDirectories(stale.getParent());
+    Files.createFile(stale);
+    archive.keepOnly(Tables.MATCHES, List.of());
+    assertThat(log).exists();
+    assertThat(out.resolve("matches/tournament=cup")).doesNotExist();
+  }
+
   @Test
   void whatIsNotThereIsNamed() {
     assertThatThrownBy(() -> run(folder.resolve("x"), "local[1]", false, folder.resolve("nowhere")))

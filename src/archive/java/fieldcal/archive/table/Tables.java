@@ -9,6 +9,7 @@ import static fieldcal.archive.table.ColumnType.TEXT;
 import static fieldcal.archive.table.ColumnType.TIME;
 
 import java.util.List;
+import java.util.stream.Stream;
 
 /** Which tables the archive has. SI units; angles in radians; instants in UTC. {@code docs/archive.md} lists the same columns, and a test compares. */
 public final class Tables {
@@ -54,6 +55,10 @@ public final class Tables {
 
   /** What follows from all matches together, one file each. */
   public static final List<Table> OF_ALL = List.of(CARPETS, CHANGES, TEAMS);
+
+  /** All of them. */
+  public static final List<Table> ALL =
+      Stream.concat(OF_MATCHES.stream(), OF_ALL.stream()).toList();
 
   private static Table.Builder table(String name, String meaning) {
     return new Table.Builder(name, meaning).always(TEXT, "log", "", LOG_MEANING);
