@@ -3,11 +3,18 @@ package fieldcal.archive;
 import fieldcal.app.calibrate.InputException;
 import fieldcal.app.files.WholeFile;
 import fieldcal.app.recording.LogOpener;
+import fieldcal.app.recording.RecordingFacts;
+import fieldcal.app.recording.VisionContent;
 import fieldcal.archive.match.Fingerprint;
 import fieldcal.archive.table.ParquetFile;
 import fieldcal.archive.table.Row;
 import fieldcal.archive.table.Table;
 import fieldcal.archive.table.Tables;
+import fieldcal.gamelog.RecordingOrigin;
+import java.io.BufferedInputStream;
+import java.io.BufferedOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.Serializable;
 import java.nio.file.AtomicMoveNotSupportedException;
@@ -32,10 +39,14 @@ import java.util.stream.Stream;
  */
 record ArchiveFolder(String root) implements Serializable {
   /** Grows when the tables change: what another release wrote is written again. */
-  private static final int FORMAT = 4;
+  private static final int FORMAT = 5;
 
   private static final String STATE = "state";
   private static final String DONE = ".done";
+
+  /** Ends the head of the record of a log whose frames another log holds, too. */
+  private static final String REPEATS = "\tleft out: another log holds its frames";
+
   private static final String UNFINISHED = "unfinished-";
   private static final String TOURNAMENT = "tournament=";
   private static final String MATCH = "match=";
@@ -75,24 +86,73 @@ record ArchiveFolder(String root) implements Serializable {
    * Whether a log is done: by this release, under this name, a log that could not be read with the same limit of packing, and every file that its record names is there as it was written. Otherwise what is there of it is removed.
    */
   boolean isDone(LogFile log, LogOpener opener) throws IOException {
-    Path record = state().resolve(log.log() + DONE);
-    if (!Files.exists(record)) {
+    List<String> lines = record(log.log());
+    if (lines.isEmpty()) {
       return false;
     }
-    List<String> lines = Files.readAllLines(record);
-    boolean good = !lines.isEmpty() && isHead(lines.get(0), log, opener);
-    for (String line : lines.subList(Math.min(1, lines.size()), lines.size())) {
+    boolean good = isHead(lines.get(0), log, opener);
+    for (String line : lines.subList(1, lines.size())) {
       String[] cells = line.split("\t");
       Path file = Path.of(root, cells[0]);
       good = good && Files.exists(file) && Fingerprint.of(file).equals(cells[1]);
     }
     if (!good) {
-      for (String line : lines.subList(Math.min(1, lines.size()), lines.size())) {
-        Files.deleteIfExists(Path.of(root, line.split("\t")[0]));
-      }
-      Files.delete(record);
+      forget(log.log());
     }
     return good;
+  }
+
+  /** Lines of a log's record; of an empty one a line that is no head; none without a record. */
+  private List<String> record(String log) throws IOException {
+    Path record = state().resolve(log + DONE);
+    if (!Files.exists(record)) {
+      return List.of();
+    }
+    List<String> lines = Files.readAllLines(record);
+    return lines.isEmpty() ? List.of("") : lines;
+  }
+
+  /** Whether a log has a record. */
+  boolean isRecorded(String log) {
+    return Files.exists(state().resolve(log + DONE));
+  }
+
+  /** Removes a log: its files, then its record. */
+  void forget(String log) throws IOException {
+    List<String> lines = record(log);
+    for (String line : lines.subList(Math.min(1, lines.size()), lines.size())) {
+      Files.deleteIfExists(Path.of(root, line.split("\t")[0]));
+    }
+    Files.deleteIfExists(state().resolve(log + DONE));
+  }
+
+  /**
+   * A log as its record names it.
+   *
+   * @param tournament folder of the log
+   * @param name of the file alone
+   */
+  record Named(String tournament, String name) {}
+
+  /** How a log is named that has a record; empty when another release wrote it otherwise. */
+  Optional<Named> named(String log) throws IOException {
+    String[] cells = record(log).get(0).split("\t");
+    return cells.length < 5 ? Optional.empty() : Optional.of(new Named(cells[2], cells[4]));
+  }
+
+  /** Leaves out a log that is done, since another one holds its frames, too: its rows are no longer expected among the tables, and what it holds stays known. */
+  void leaveOut(LogFile log) throws IOException {
+    if (!isLeftOut(log)) {
+      WholeFile.write(
+          head(log) + REPEATS + "\n" + line(content(log), content(log)),
+          state().resolve(log.log() + DONE));
+    }
+    Files.deleteIfExists(summary(log));
+  }
+
+  /** Whether a log that is done is left out: then the archive has no rows of it. */
+  boolean isLeftOut(LogFile log) throws IOException {
+    return record(log.log()).contains(head(log) + REPEATS);
   }
 
   private static String head(LogFile log) {
@@ -107,7 +167,7 @@ record ArchiveFolder(String root) implements Serializable {
   }
 
   private static boolean isHead(String line, LogFile log, LogOpener opener) {
-    return line.equals(head(log)) || line.equals(head(log) + unread(opener));
+    return List.of(head(log), head(log) + unread(opener), head(log) + REPEATS).contains(line);
   }
 
   /** With another limit of packing the log might be readable. */
@@ -124,7 +184,12 @@ record ArchiveFolder(String root) implements Serializable {
    * @param attempt a name that no other attempt has
    */
   void commitUnread(LogFile log, Row problem, LogOpener opener, String attempt) throws IOException {
-    commit(log, Map.of(Tables.PROBLEMS, List.of(problem)), head(log) + unread(opener), attempt);
+    commit(
+        log,
+        Map.of(Tables.PROBLEMS, List.of(problem)),
+        Optional.empty(),
+        head(log) + unread(opener),
+        attempt);
   }
 
   /** Where the rows of a table are that come from one log. */
@@ -140,18 +205,62 @@ record ArchiveFolder(String root) implements Serializable {
     return state().resolve(log.log() + ".match.parquet");
   }
 
+  /** What shows whether another log holds the same frames. */
+  private Path content(LogFile log) {
+    return state().resolve(log.log() + ".content");
+  }
+
+  /** What a log that is done holds, as far as it takes to compare it with others; empty for one that could not be read. */
+  Optional<RecordingFacts> facts(LogFile log) throws IOException {
+    if (!Files.exists(content(log))) {
+      return Optional.empty();
+    }
+    try (DataInputStream in =
+        new DataInputStream(new BufferedInputStream(Files.newInputStream(content(log))))) {
+      RecordingOrigin origin =
+          in.readBoolean() ? RecordingOrigin.SIMULATION : RecordingOrigin.FIELD;
+      VisionContent content = VisionContent.readFrom(in);
+      return Optional.of(
+          new RecordingFacts(
+              Path.of(log.path()),
+              origin,
+              0,
+              Optional.empty(),
+              0,
+              log.bytes(),
+              false,
+              content,
+              List.of()));
+    }
+  }
+
+  private static void write(RecordingFacts facts, Path file) throws IOException {
+    try (DataOutputStream out =
+        new DataOutputStream(new BufferedOutputStream(Files.newOutputStream(file)))) {
+      out.writeBoolean(facts.isSimulated());
+      facts.content().writeTo(out);
+    }
+  }
+
   /**
    * Writes all rows of a log.
    *
    * @param log with fingerprint
    * @param rows of each table; tables without rows get no file
+   * @param facts of the log
    * @param attempt a name that no other attempt has
    */
-  void commit(LogFile log, Map<Table, List<Row>> rows, String attempt) throws IOException {
-    commit(log, rows, head(log), attempt);
+  void commit(LogFile log, Map<Table, List<Row>> rows, RecordingFacts facts, String attempt)
+      throws IOException {
+    commit(log, rows, Optional.of(facts), head(log), attempt);
   }
 
-  private void commit(LogFile log, Map<Table, List<Row>> rows, String head, String attempt)
+  private void commit(
+      LogFile log,
+      Map<Table, List<Row>> rows,
+      Optional<RecordingFacts> facts,
+      String head,
+      String attempt)
       throws IOException {
     Path aside = Files.createDirectories(state().resolve(UNFINISHED + attempt));
     Map<Path, Path> moves = new LinkedHashMap<>();
@@ -165,11 +274,13 @@ record ArchiveFolder(String root) implements Serializable {
       ParquetFile.write(table, entry.getValue(), written);
       Path target = table == Tables.MATCHES ? summary(log) : file(table, log);
       moves.put(written, target);
-      record
-          .append(Path.of(root).relativize(target))
-          .append('\t')
-          .append(Fingerprint.of(written))
-          .append('\n');
+      record.append(line(target, written));
+    }
+    if (facts.isPresent()) {
+      Path written = aside.resolve("content");
+      write(facts.get(), written);
+      moves.put(written, content(log));
+      record.append(line(content(log), written));
     }
     for (Map.Entry<Path, Path> move : moves.entrySet()) {
       Files.createDirectories(move.getValue().getParent());
@@ -177,6 +288,11 @@ record ArchiveFolder(String root) implements Serializable {
     }
     delete(aside);
     WholeFile.write(record.toString(), state().resolve(log.log() + DONE));
+  }
+
+  /** A record's line of a file, by the bytes that it has or will have. */
+  private String line(Path target, Path written) throws IOException {
+    return Path.of(root).relativize(target) + "\t" + Fingerprint.of(written) + "\n";
   }
 
   /** Replaces a file of the archive in one step. */

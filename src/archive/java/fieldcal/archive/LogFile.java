@@ -1,5 +1,6 @@
 package fieldcal.archive;
 
+import fieldcal.archive.match.Fingerprint;
 import java.io.Serializable;
 
 /**
@@ -31,10 +32,14 @@ record LogFile(
     return new LogFile(path, name, tournament, bytes, modified, null, why);
   }
 
-  /** Its partition: the file's name, for people, and the content, so that no two logs share one. */
+  /** Its partition: the file's name, for people, and the content, so that no two logs share one; where the content is not known, the path. */
   String match() {
     String stem = safe(name.replaceFirst("\\.log(\\.gz)?$", ""));
-    return stem + "-" + (log == null ? "unreadable" : log.substring(0, 8));
+    return stem
+        + "-"
+        + (log == null
+            ? "unreadable-" + Fingerprint.of(path).substring(0, 8)
+            : log.substring(0, 8));
   }
 
   /** What every file system, every query engine and a URL take as a folder's name. */

@@ -5,11 +5,14 @@ import fieldcal.archive.match.Fingerprint;
 import fieldcal.archive.match.MatchData;
 import fieldcal.archive.match.MatchReader;
 import fieldcal.archive.match.MatchTables;
+import fieldcal.gamelog.GameLogException;
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.Serializable;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.zip.ZipException;
 
 /** What a task does with its log. Whatever the log holds costs that log alone; only an archive that cannot be written fails the task. */
 final class LogTask {
@@ -20,7 +23,7 @@ final class LogTask {
   /**
    * What became of a log.
    *
-   * @param log the same as before; without fingerprint when it changed while it was read
+   * @param log the same as before; without fingerprint when it changed while it was read, or the disk failed
    * @param play time between its first and last message, s; 0 when it cannot be read
    */
   record Done(LogFile log, double play) implements Serializable {}
@@ -56,6 +59,9 @@ final class LogTask {
       match = MatchReader.read(path, opener);
       why = null;
     } catch (IOException e) {
+      if (!isOfTheContent(e)) {
+        return new Done(log.withFailure(e.getMessage() + "; --resume tries again"), 0);
+      }
       match = null;
       why = e.getMessage();
     } catch (RuntimeException | StackOverflowError e) {
@@ -69,8 +75,15 @@ final class LogTask {
       folder.commitUnread(log, MatchTables.broken(log.log(), path, why), opener, attempt);
       return new Done(log, 0);
     }
-    folder.commit(log, MatchTables.of(log.log(), match), attempt);
+    folder.commit(log, MatchTables.of(log.log(), match), match.data().recordings().get(0), attempt);
     return new Done(log, match.data().duration());
+  }
+
+  /** Whether a log is as it is for ever; else the disk or the network failed, which may be over by the next time. */
+  static boolean isOfTheContent(IOException e) {
+    Throwable cause = e.getCause();
+    return e instanceof GameLogException
+        && (cause == null || cause instanceof EOFException || cause instanceof ZipException);
   }
 
   /** A file that was written since is read again, to be sure; that it is gone shows when it is read. */

@@ -12,12 +12,16 @@ import fieldcal.archive.table.ParquetFile;
 import fieldcal.archive.table.Row;
 import fieldcal.archive.table.Table;
 import fieldcal.archive.table.Tables;
+import fieldcal.gamelog.GameLogException;
 import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.ScenarioSettings;
 import fieldcal.simulation.SimulationSettings;
+import java.io.EOFException;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -28,6 +32,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
+import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -49,8 +54,13 @@ class ArchiveRunTest {
     }
     simulate(ScenarioSettings.of(ScenarioKind.MATCH, 0).withMatch(3, 0.4), 7, "open/match.log");
     Path open = logs.resolve("open");
-    byte[] flat = Files.readAllBytes(logs.resolve("cup/flat-1.log.gz"));
-    Files.write(open.resolve("cut.log.gz"), Arrays.copyOf(flat, flat.length / 2));
+    simulate(ScenarioSettings.of(ScenarioKind.FLAT, KICKS), 4, "../flat-4.log.gz");
+    half(folder.resolve("flat-4.log.gz"), open.resolve("cut.log.gz"));
+    half(logs.resolve("cup/flat-1.log.gz"), open.resolve("part.log.gz"));
+    try (InputStream packed =
+        new GZIPInputStream(Files.newInputStream(logs.resolve("cup/flat-3.log.gz")))) {
+      Files.copy(packed, open.resolve("unpacked.log"));
+    }
     Files.writeString(open.resolve("nonsense.log"), "this is no game log, whatever its name says");
     Files.createFile(open.resolve("empty.log"));
     Files.copy(logs.resolve("cup/flat-2.log.gz"), open.resolve("the-same.log.gz"));
@@ -64,6 +74,12 @@ class ArchiveRunTest {
     Files.createDirectories(log.getParent());
     RecordingFiles.besides(log)
         .write(SimulationSettings.DEFAULT.withSeed(seed).withScenario(scenario), share -> {});
+  }
+
+  private static void half(Path log, Path to) throws IOException {
+    byte[] all = Files.readAllBytes(log);
+    Files.createDirectories(to.getParent());
+    Files.write(to, Arrays.copyOf(all, all.length / 2));
   }
 
   private static ArchiveOutcome run(Path out, String master, boolean resume, Path... paths)
@@ -116,7 +132,9 @@ class ArchiveRunTest {
     assertThat(outcome.logs()).isEqualTo(7);
     assertThat(outcome.broken()).isEqualTo(2);
     assertThat(outcome.findings())
-        .anyMatch(line -> line.contains("the-same.log.gz: has the same content as"));
+        .anyMatch(line -> line.contains("the-same.log.gz: has the same content as"))
+        .anyMatch(line -> line.matches(".*part.log.gz: a part of .*flat-1.log.gz; left out"))
+        .anyMatch(line -> line.matches(".*unpacked.log: a copy of .*flat-3.log.gz; left out"));
     assertThat(rows(Tables.MATCHES))
         .extracting(row -> row.text("file"))
         .containsExactly(
@@ -140,7 +158,7 @@ class ArchiveRunTest {
   void whatFollowsFromAllIsThereToo() throws IOException {
     assertThat(rows(Tables.CARPETS))
         .filteredOn(row -> row.text("parameter").equals("acc_slide"))
-        .hasSize(4) // three fields, one of them in two logs, and the match's
+        .hasSize(5) // four fields, and the match's
         .allSatisfy(row -> assertThat(row.number("value")).isBetween(-3.5, -2.7));
     assertThat(rows(Tables.MATCHES)).allMatch(row -> row.text("venue") != null);
     assertThat(rows(Tables.TEAMS)).extracting(row -> row.text("team")).contains("Yellow", "Blue");
@@ -208,8 +226,68 @@ class ArchiveRunTest {
     assertSame(resumed);
 
     assertThatThrownBy(() -> run(resumed, "local[2,4]", true, logs.resolve("cup")))
-        .hasMessageContaining("contains 4 logs that are not among those named");
+        .hasMessageContaining("contains 6 logs that are not among those named");
     assertSame(resumed);
+  }
+
+  /** Whatever was there first: the tables are those of all logs together. */
+  @Test
+  void aPartGivesWayToTheWholeLog() throws IOException {
+    Path out = folder.resolve("grown");
+    Path part = logs.resolve("open/part.log.gz");
+    assertThat(run(out, "local[1]", false, part).logs()).isEqualTo(1);
+    ArchiveOutcome both = run(out, "local[1]", true, part, logs.resolve("cup/flat-1.log.gz"));
+    assertThat(both.logs()).isEqualTo(1);
+    assertThat(both.skipped()).isZero();
+  }
+
+  @Test
+  void aLogThatHasGrownTakesThePlaceOfTheOldOne() throws IOException {
+    Path log = folder.resolve("growing/cup/now.log.gz");
+    half(logs.resolve("cup/flat-1.log.gz"), log);
+    LogFile before = LogTask.identify(LogFinder.find(List.of(log)).get(0));
+    Path out = folder.resolve("of-growing");
+    ArchiveFolder archive = new ArchiveFolder(out.toString());
+    archive.prepare();
+    LogTask.run(before, archive, LogOpener.USUAL, "1");
+    assertThatThrownBy(() -> SparkArchive.requireAllOf(archive, List.of(), out))
+        .hasMessageContaining("contains 1 log that is not among those named")
+        .hasMessageContaining("now.log.gz of cup");
+
+    Files.copy(logs.resolve("cup/flat-1.log.gz"), log, StandardCopyOption.REPLACE_EXISTING);
+    LogFile after = LogTask.identify(LogFinder.find(List.of(log)).get(0));
+    SparkArchive.requireAllOf(archive, List.of(after), out);
+    assertThat(archive.done()).isEmpty();
+    assertThat(archive.file(Tables.KICKS, before)).doesNotExist();
+  }
+
+  @Test
+  void whatTheDiskFailedToGiveIsTriedAgain() throws IOException {
+    Path log = Path.of("log.gz");
+    assertThat(LogTask.isOfTheContent(new GameLogException(log, "is empty"))).isTrue();
+    assertThat(LogTask.isOfTheContent(new GameLogException(log, "is cut off", new EOFException())))
+        .isTrue();
+    assertThat(
+            LogTask.isOfTheContent(new GameLogException(log, "", new IOException("stale handle"))))
+        .isFalse();
+    assertThat(LogTask.isOfTheContent(new IOException("Input/output error"))).isFalse();
+
+    // Cannot be opened for reading, whoever asks.
+    ArchiveFolder archive = new ArchiveFolder(folder.resolve("of-failing").toString());
+    archive.prepare();
+    LogFile gone = new LogFile("/nowhere/cup/a.log", "a.log", "cup", 1, 0, "0".repeat(16), null);
+    assertThat(LogTask.run(gone, archive, LogOpener.USUAL, "1").log().unreadable())
+        .endsWith("--resume tries again");
+    assertThat(archive.done()).isEmpty();
+  }
+
+  @Test
+  void logsThatCannotBeOpenedHaveRowsOfTheirOwn() {
+    LogFile packed = new LogFile("/a/cup/x.log.gz", "x.log.gz", "cup", 1, 0, null, "no");
+    LogFile plain = new LogFile("/a/cup/x.log", "x.log", "cup", 1, 0, null, "no");
+    ArchiveFolder archive = new ArchiveFolder(folder.toString());
+    assertThat(archive.file(Tables.PROBLEMS, packed))
+        .isNotEqualTo(archive.file(Tables.PROBLEMS, plain));
   }
 
   @Test

@@ -45,6 +45,7 @@ public record DifferentRecordings(List<RecordingFacts> different, List<Repeated>
 
     private static boolean holds(RecordingFacts facts, RecordingFacts other) {
       return facts.content().messages() <= other.content().messages()
+          && facts.content().mayBeHalfIn(other.content())
           && facts.content().shareIn(other.content()) > SHARE;
     }
 

@@ -1,5 +1,8 @@
 package fieldcal.app.recording;
 
+import java.io.DataInput;
+import java.io.DataOutput;
+import java.io.IOException;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import java.util.zip.CRC32C;
@@ -16,6 +19,9 @@ public final class VisionContent {
 
   /** Fewer remembered messages may be geometry, which all recordings of a field share; chosen, since they are those of 1 s of four cameras. */
   private static final int FEWEST = 16;
+
+  /** So many remembered messages show whether anything is in common: of a recording that is half in another one, all of them are missing once in 2^64 times. */
+  private static final int PROBES = 64;
 
   private final long messages;
   private final long checksum;
@@ -91,6 +97,49 @@ public final class VisionContent {
             .filter(message -> Arrays.binarySearch(other.remembered, message) >= 0)
             .count();
     return (double) both / remembered.length;
+  }
+
+  /** False when surely less than half of it is in another recording: soon known, also where hundreds of recordings are compared. */
+  boolean mayBeHalfIn(VisionContent other) {
+    int step = Math.max(1, remembered.length / PROBES);
+    for (int i = 0; i < remembered.length; i += step) {
+      if (Arrays.binarySearch(other.remembered, remembered[i]) >= 0) {
+        return true;
+      }
+    }
+    return equals(other);
+  }
+
+  /**
+   * Writes it, so that it need not be found again.
+   *
+   * @param out where to
+   * @throws IOException when it cannot be written
+   */
+  public void writeTo(DataOutput out) throws IOException {
+    out.writeLong(messages);
+    out.writeLong(checksum);
+    out.writeInt(remembered.length);
+    for (int message : remembered) {
+      out.writeInt(message);
+    }
+  }
+
+  /**
+   * Reads what {@link #writeTo} wrote.
+   *
+   * @param in where from
+   * @return the same content
+   * @throws IOException when it cannot be read
+   */
+  public static VisionContent readFrom(DataInput in) throws IOException {
+    long messages = in.readLong();
+    long checksum = in.readLong();
+    int[] remembered = new int[in.readInt()];
+    for (int i = 0; i < remembered.length; i++) {
+      remembered[i] = in.readInt();
+    }
+    return new VisionContent(messages, checksum, remembered);
   }
 
   @Override

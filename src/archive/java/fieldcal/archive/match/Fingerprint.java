@@ -52,7 +52,13 @@ public final class Fingerprint {
     return of(geometry.length() + " " + geometry.width() + "\n" + cameras);
   }
 
-  private static String of(String text) {
+  /**
+   * Of a text.
+   *
+   * @param text any
+   * @return 16 hexadecimal digits
+   */
+  public static String of(String text) {
     MessageDigest digest = sha256();
     digest.update(text.getBytes(StandardCharsets.UTF_8));
     return digits(digest);

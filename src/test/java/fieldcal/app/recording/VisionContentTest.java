@@ -3,6 +3,10 @@ package fieldcal.app.recording;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
@@ -31,6 +35,18 @@ class VisionContentTest {
     }
     assertThat(messages(3500, 4500).shareIn(whole)).isCloseTo(0.5, within(0.15));
     assertThat(messages(4000, 8000).shareIn(whole)).isZero();
+  }
+
+  @Test
+  void whatWasWrittenIsReadAsItWas() throws IOException {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    messages(0, 1000).writeTo(new DataOutputStream(bytes));
+    VisionContent read =
+        VisionContent.readFrom(new DataInputStream(new ByteArrayInputStream(bytes.toByteArray())));
+    assertThat(read).isEqualTo(messages(0, 1000));
+    assertThat(read.shareIn(messages(0, 4000))).isEqualTo(1);
+    assertThat(read.mayBeHalfIn(messages(0, 4000))).isTrue();
+    assertThat(read.mayBeHalfIn(messages(1000, 4000))).isFalse();
   }
 
   /** Recordings of a field share their geometry, and some hold hardly more. */
