@@ -13,6 +13,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import org.apache.commons.math3.special.Erf;
 
@@ -132,7 +133,7 @@ record MatchSummary(
   private static TrackerFacts tracker(Row row) {
     return new TrackerFacts(
         row.text("source"),
-        1,
+        Set.of(row.text("log")),
         row.whole("samples"),
         row.number("delay"),
         row.number("position_error_without_delay"),

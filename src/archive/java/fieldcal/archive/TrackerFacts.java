@@ -1,13 +1,16 @@
 package fieldcal.archive;
 
 import java.io.Serializable;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * What a tracker says of the ball against the fits of the kicks, in one match or, pooled, in several: the columns of the table {@code trackers}. What nothing is known of is NaN.
  *
  * @param source what the tracker calls itself; may be empty
- * @param matches in which it sent
+ * @param logs in which it sent; one that was started again in a match has several rows of one log
  * @param samples frames with a ball during kicks whose fit is trusted
  * @param delay s
  * @param position root mean square error with the delay taken out, m
@@ -24,7 +27,7 @@ import java.util.List;
  */
 record TrackerFacts(
     String source,
-    int matches,
+    Set<String> logs,
     long samples,
     double delay,
     double position,
@@ -39,6 +42,16 @@ record TrackerFacts(
     double stopPosition,
     double stopTime)
     implements Serializable {
+
+  /** Copies the set. */
+  TrackerFacts {
+    logs = new HashSet<>(logs);
+  }
+
+  /** Matches in which it sent. */
+  int matches() {
+    return logs.size();
+  }
 
   /** A weighted sum of what is known. */
   private static final class Sum {
@@ -80,7 +93,7 @@ record TrackerFacts(
     double variance = Math.max(0, squares.mean() - bias.mean() * bias.mean());
     return new TrackerFacts(
         all.get(0).source,
-        all.size(),
+        all.stream().flatMap(t -> t.logs.stream()).collect(Collectors.toSet()),
         all.stream().mapToLong(TrackerFacts::samples).sum(),
         delay.mean(),
         Math.sqrt(position.mean()),

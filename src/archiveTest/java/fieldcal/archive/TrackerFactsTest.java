@@ -4,15 +4,22 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 /** The same tracker in several matches. */
 class TrackerFactsTest {
   private static TrackerFacts facts(
-      long samples, double delay, double position, long matched, double bias, double scatter) {
+      String log,
+      long samples,
+      double delay,
+      double position,
+      long matched,
+      double bias,
+      double scatter) {
     return new TrackerFacts(
         "Made up",
-        1,
+        Set.of(log),
         samples,
         delay,
         position,
@@ -32,7 +39,8 @@ class TrackerFactsTest {
   void countsAddUpAndErrorsAreWeighted() {
     TrackerFacts both =
         TrackerFacts.pooled(
-            List.of(facts(100, 0.01, 0.003, 2, 0.1, 0), facts(300, 0.03, 0.005, 2, 0.3, 0)));
+            List.of(
+                facts("a", 100, 0.01, 0.003, 2, 0.1, 0), facts("b", 300, 0.03, 0.005, 2, 0.3, 0)));
     assertThat(both.matches()).isEqualTo(2);
     assertThat(both.samples()).isEqualTo(400);
     assertThat(both.missed()).isEqualTo(2);
@@ -47,9 +55,17 @@ class TrackerFactsTest {
   }
 
   @Test
+  void aTrackerThatIsStartedAgainIsStillInOneMatch() {
+    TrackerFacts first = facts("a", 100, 0.01, 0.003, 2, 0.1, 0);
+    TrackerFacts second = facts("a", 100, 0.01, 0.003, 2, 0.1, 0);
+    assertThat(TrackerFacts.pooled(List.of(first, second)).matches()).isEqualTo(1);
+  }
+
+  @Test
   void aTrackerWithoutAnythingToCompareHasNoErrors() {
     TrackerFacts none =
-        TrackerFacts.pooled(List.of(facts(0, Double.NaN, Double.NaN, 0, Double.NaN, Double.NaN)));
+        TrackerFacts.pooled(
+            List.of(facts("a", 0, Double.NaN, Double.NaN, 0, Double.NaN, Double.NaN)));
     assertThat(none.delay()).isNaN();
     assertThat(none.position()).isNaN();
     assertThat(none.speedBias()).isNaN();

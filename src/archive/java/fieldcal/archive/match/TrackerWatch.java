@@ -3,6 +3,7 @@ package fieldcal.archive.match;
 import fieldcal.gamelog.TrackerFrame;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -26,7 +27,7 @@ public final class TrackerWatch {
     private float[] ball = new float[5 * 1024];
     private int size;
     private int frames;
-    private double last = Double.NEGATIVE_INFINITY;
+    private boolean ordered = true;
 
     private Source(String name, String uuid) {
       this.name = name;
@@ -36,11 +37,10 @@ public final class TrackerWatch {
     private void add(TrackerFrame frame) {
       frames++;
       frame.kick().ifPresent(kick -> report(kick, frame.time()));
-      // Frames out of order are left out: samples are searched by time.
-      if (frame.ball().isEmpty() || frame.time() <= last) {
+      if (frame.ball().isEmpty()) {
         return;
       }
-      last = frame.time();
+      ordered &= size == 0 || frame.time() > time[size - 1];
       if (size == time.length) {
         time = Arrays.copyOf(time, 2 * size);
         ball = Arrays.copyOf(ball, 10 * size);
@@ -53,6 +53,30 @@ public final class TrackerWatch {
       ball[at + 2] = (float) b.vx();
       ball[at + 3] = (float) b.vy();
       ball[at + 4] = (float) b.z();
+    }
+
+    /** Brings the frames into the order of their times, since samples are searched by time; of those of the same time the first stays. One frame whose time is far off then costs itself alone. */
+    private void order() {
+      if (ordered) {
+        return;
+      }
+      Integer[] byTime = new Integer[size];
+      Arrays.setAll(byTime, i -> i);
+      Arrays.sort(byTime, Comparator.comparingDouble(i -> time[i]));
+      double[] times = new double[size];
+      float[] balls = new float[5 * size];
+      int kept = 0;
+      for (int i : byTime) {
+        if (kept == 0 || time[i] > times[kept - 1]) {
+          times[kept] = time[i];
+          System.arraycopy(ball, 5 * i, balls, 5 * kept, 5);
+          kept++;
+        }
+      }
+      time = times;
+      ball = balls;
+      size = kept;
+      ordered = true;
     }
 
     private void report(TrackerFrame.Kick kick, double now) {
@@ -146,6 +170,7 @@ public final class TrackerWatch {
   }
 
   List<Source> sources() {
+    sources.values().forEach(Source::order);
     return List.copyOf(sources.values());
   }
 }

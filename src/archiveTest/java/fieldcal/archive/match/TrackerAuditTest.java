@@ -116,6 +116,21 @@ class TrackerAuditTest {
   }
 
   @Test
+  void aFrameFromTheFutureCostsItselfAlone() {
+    TrackerWatch watch = new TrackerWatch();
+    TrackerFrame.Ball ball = new TrackerFrame.Ball(1, 2, 0, 0, 0, 0);
+    for (double time : new double[] {1, 1e6, 2, 3, 3, 2.5}) {
+      watch.accept(frame(time, Optional.of(ball), Optional.empty()));
+    }
+    TrackerWatch.Source source = watch.sources().get(0);
+    assertThat(source.size()).isEqualTo(5);
+    assertThat(source.from(2.2)).isEqualTo(2);
+    assertThat(source.time(2)).isEqualTo(2.5);
+    assertThat(source.x(4)).isEqualTo(1);
+    assertThat(source.frames()).isEqualTo(6);
+  }
+
+  @Test
   void withoutKicksNothingIsKnown() {
     TrackerAudit audit = TrackerAudit.of(tracker(0, 0), List.of());
     assertThat(audit.samples()).isZero();
