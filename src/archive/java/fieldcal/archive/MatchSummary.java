@@ -24,8 +24,8 @@ import org.apache.commons.math3.special.Erf;
  * @param facts of its match; null when it could not be read
  * @param kicks that were found
  * @param teams yellow and blue; null where unknown
- * @param speeds kicks of each team in bins of {@link #BIN}
- * @param fast kicks near the rule's greatest speed
+ * @param speeds kicks of each team whose fit is trusted, in bins of {@link #BIN}
+ * @param fast kicks near the rule's greatest speed, of those whose fit is trusted
  * @param trackers that sent during the match
  * @param problems how often each was found
  * @param fatal why it could not be read; null when it could
@@ -95,6 +95,9 @@ record MatchSummary(
 
   private static void count(
       LogFile log, Row match, Row kick, Map<String, long[]> speeds, List<FastKick> fast) {
+    if (!(Boolean) kick.get("trusted")) {
+      return;
+    }
     double speed = kick.number("speed");
     double error = kick.number("speed_error");
     if (!(error < UNCERTAIN)) {

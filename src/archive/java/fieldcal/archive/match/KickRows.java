@@ -62,6 +62,7 @@ final class KickRows {
             .set("observations", kick.observations().size())
             .set("used", fit.statistics().used())
             .set("rms_mm", fit.rmsMm())
+            .set("trusted", calibrated.trusted())
             .set("selected", calibrated.selected())
             .set("not_used_because", calibrated.rejected());
     if (fitted) {

@@ -102,6 +102,12 @@ public final class Tables {
             .always(INT, "used", "", "detections that the fit used")
             .maybe(DOUBLE, "rms_mm", "mm", "residual per axis")
             .always(
+                BOOLEAN,
+                "trusted",
+                "",
+                "whether its fit is believed as a whole: not when it failed, is 3 times worse than"
+                    + " the others of its kind, or leaves out more than 25 % of the detections")
+            .always(
                 BOOLEAN, "selected", "", "whether a parameter of it enters the model of the match")
             .maybe(TEXT, "not_used_because", "", "why no parameter does");
     return model(kicks)
