@@ -8,6 +8,7 @@ import fieldcal.archive.venue.Carpet;
 import fieldcal.archive.venue.Change;
 import fieldcal.archive.venue.MatchFacts;
 import fieldcal.archive.venue.Measured;
+import fieldcal.archive.venue.Median;
 import fieldcal.archive.venue.VenueStudy;
 import fieldcal.movement.Grid;
 import java.io.IOException;
@@ -157,9 +158,7 @@ final class Atlas {
   }
 
   private static double median(List<CameraFacts> cameras, ToDoubleFunction<CameraFacts> of) {
-    double[] sorted = cameras.stream().mapToDouble(of).filter(Double::isFinite).sorted().toArray();
-    int n = sorted.length;
-    return n == 0 ? Double.NaN : (sorted[(n - 1) / 2] + sorted[n / 2]) / 2;
+    return Median.of(cameras.stream().mapToDouble(of).filter(Double::isFinite).toArray());
   }
 
   private static AtlasView.Team team(TeamStudy study) {

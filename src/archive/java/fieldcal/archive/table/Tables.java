@@ -366,12 +366,13 @@ public final class Tables {
   private static Table changes() {
     return new Table.Builder("changes", "Something that changed at a venue between two matches.")
         .always(TEXT, "venue", "", "as in matches")
-        .always(TEXT, "kind", "", "carpet_or_ball, ball, camera_calibrated or camera_moved")
+        .always(TEXT, "kind", "", "carpet_or_ball, ball, drift, camera_calibrated or camera_moved")
         .maybe(
             INT,
             "camera",
             "",
-            "id of the camera; missing if all changed at once, and for a carpet or ball")
+            "id of the camera; missing if all changed at once, where it is not known which one"
+                + " moved, and for a carpet or ball")
         .always(TIME, "after", "", "end of the last match before the change")
         .always(TIME, "before", "", "start of the first match after the change")
         .always(TEXT, "last_match", "", "log of the last match before the change")

@@ -8,7 +8,7 @@ import java.util.OptionalInt;
  *
  * @param venue its name
  * @param kind of change
- * @param camera id; empty for all at once, and for what is no camera
+ * @param camera id; empty for all at once, where it is not known which one, and for what is no camera
  * @param last match before
  * @param next match after
  * @param what in words
@@ -29,9 +29,11 @@ public record Change(
     CARPET_OR_BALL,
     /** The ball: its moment of inertia changed, which no carpet does. */
     BALL,
+    /** Friction or bounces change with time otherwise than before; they did not jump. */
+    DRIFT,
     /** Vision publishes another calibration. */
     CAMERA_CALIBRATED,
-    /** A camera reports everything elsewhere with the calibration of before. */
+    /** A camera reports everything elsewhere than before, relative to the others, with the calibration of before. */
     CAMERA_MOVED;
 
     /**

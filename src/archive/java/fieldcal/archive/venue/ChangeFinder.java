@@ -55,15 +55,8 @@ final class ChangeFinder {
       differences[i] = Math.abs(known[i + 1].value() - known[i].value());
       variances[i] = Math.pow(known[i].error(), 2) + Math.pow(known[i + 1].error(), 2);
     }
-    double spread = NORMAL_MEDIAN * median(differences);
-    return Math.max(0, (spread * spread - median(variances)) / 2);
-  }
-
-  private static double median(double[] values) {
-    double[] sorted = values.clone();
-    Arrays.sort(sorted);
-    int n = sorted.length;
-    return (sorted[(n - 1) / 2] + sorted[n / 2]) / 2;
+    double spread = NORMAL_MEDIAN * Median.of(differences);
+    return Math.max(0, (spread * spread - Median.of(variances)) / 2);
   }
 
   /**
@@ -140,19 +133,22 @@ final class ChangeFinder {
       }
     }
     if (n == 0) {
-      return new Line(0, 0, 0, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
+      return new Line(0, 0, 0, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
     }
     double mean = first(index, begin) + wy / w;
+    double middle = times[begin] + wt / w;
     double spread = wtt - wt * wt / w;
     double flat = wyy - wy * wy / w;
     if (n < FEWEST_FOR_A_SLOPE || !(spread > 0)) {
-      return new Line(n, 1, Math.max(0, flat), mean, 1 / Math.sqrt(w), Double.NaN, Double.NaN);
+      return new Line(
+          n, 1, Math.max(0, flat), middle, mean, 1 / Math.sqrt(w), Double.NaN, Double.NaN);
     }
     double slope = (wty - wt * wy / w) / spread;
     return new Line(
         n,
         2,
         Math.max(0, flat - slope * slope * spread),
+        middle,
         mean,
         1 / Math.sqrt(w),
         slope,
@@ -169,13 +165,29 @@ final class ChangeFinder {
     return 0;
   }
 
-  /** A line: how many measurements, unknowns, chi-square, level in the middle and slope with errors; NaN where there is none. */
+  /** The time in the middle between the last measurement before a cut and the first one after it. */
+  double between(int cut) {
+    return (times[cut - 1] + times[cut]) / 2;
+  }
+
+  /** A line: how many measurements, unknowns, chi-square, the time of their middle, level there and slope with errors; NaN where there is none. */
   record Line(
       int n,
       int unknowns,
       double chiSquare,
+      double middle,
       double mean,
       double meanError,
       double slope,
-      double slopeError) {}
+      double slopeError) {
+
+    /** Its level at a time; without a slope the same at all times. */
+    Measured at(double time) {
+      if (Double.isNaN(slope)) {
+        return new Measured(mean, meanError);
+      }
+      double since = time - middle;
+      return new Measured(mean + slope * since, Math.hypot(meanError, slopeError * since));
+    }
+  }
 }

@@ -34,17 +34,8 @@ public final class VenueStudy {
   /** Differences below that many standard errors are not told. */
   private static final double SIGNIFICANT = 3;
 
-  /** A camera that was knocked: 5 standard errors, which one of a million comparisons reaches by chance … */
-  private static final double CERTAIN = 5;
-
-  /** … and more than good cameras disagree anyway, m. */
-  private static final double SMALLEST_MOVE = 0.002;
-
   /** From match to match a parameter differs by at least that part of itself, chosen well below what calling it another carpet would need: else a hundred kicks more would make changes of a thousandth certain. */
   private static final double SAME_CARPET = 0.003;
-
-  /** The same of a camera's offset, m: a fifteenth of a good camera's noise. */
-  private static final double SAME_OFFSET = 1e-4;
 
   private static final double MICROS_PER_DAY = 24 * 3600 * 1e6;
 
@@ -100,13 +91,13 @@ public final class VenueStudy {
     return List.copyOf(changes);
   }
 
-  private static double[] days(List<MatchFacts> matches) {
+  static double[] days(List<MatchFacts> matches) {
     return matches.stream()
         .mapToDouble(match -> (match.start() - matches.get(0).start()) / MICROS_PER_DAY)
         .toArray();
   }
 
-  private static Measured usable(Measured measured) {
+  static Measured usable(Measured measured) {
     return measured != null && measured.known() ? measured : null;
   }
 
@@ -127,10 +118,15 @@ public final class VenueStudy {
     List<Integer> ends = new ArrayList<>(telling.isEmpty() ? List.of() : finder.find());
     ends.add(telling.size());
     int begin = 0;
-    int before = 0;
-    for (int end : ends) {
-      if (begin > 0) {
-        changes.add(carpetChange(finder, telling, before, begin, end));
+    for (int i = 0; i < ends.size(); i++) {
+      int end = ends.get(i);
+      if (end < telling.size()) {
+        Optional<Change> change = carpetChange(finder, telling, begin, end, ends.get(i + 1));
+        if (change.isEmpty()) {
+          // Nothing is seen to differ: the same carpet goes on.
+          continue;
+        }
+        changes.add(change.get());
       }
       long until = end < telling.size() ? telling.get(end).start() : Long.MAX_VALUE;
       long since = begin == 0 ? Long.MIN_VALUE : telling.get(begin).start();
@@ -144,7 +140,6 @@ public final class VenueStudy {
               venue.name() + "-" + (carpets.size() + 1),
               all,
               pooled(finder, telling, begin, end)));
-      before = begin;
       begin = end;
     }
   }
@@ -189,48 +184,62 @@ public final class VenueStudy {
   }
 
   private static double published(List<MatchFacts> matches, String parameter) {
-    double[] values =
+    return Median.of(
         matches.stream()
             .filter(match -> match.published().containsKey(parameter))
             .mapToDouble(match -> match.published().get(parameter))
-            .sorted()
-            .toArray();
-    return values.length == 0 ? Double.NaN : values[values.length / 2];
+            .toArray());
   }
 
-  private Change carpetChange(
+  /** What changed at a cut: a jump between the lines on either side, or else their slopes; empty when neither is significant. */
+  private Optional<Change> carpetChange(
       ChangeFinder finder, List<MatchFacts> matches, int before, int cut, int end) {
-    List<String> words = new ArrayList<>();
+    List<String> jumps = new ArrayList<>();
+    List<String> drifts = new ArrayList<>();
     double most = 0;
+    double mostOfDrift = 0;
     boolean ball = false;
     for (int s = 0; s < PARAMETERS.size(); s++) {
-      ChangeFinder.Line was = finder.line(s, before, cut);
-      ChangeFinder.Line is = finder.line(s, cut, end);
-      double difference = is.mean() - was.mean();
-      double sigmas = Math.abs(difference) / Math.hypot(was.meanError(), is.meanError());
+      String words = ParameterWords.ofFileName(PARAMETERS.get(s));
+      ChangeFinder.Line first = finder.line(s, before, cut);
+      ChangeFinder.Line second = finder.line(s, cut, end);
+      Measured was = first.at(finder.between(cut));
+      Measured is = second.at(finder.between(cut));
+      double share = (is.value() - was.value()) / was.value();
+      double sigmas = Math.abs(is.value() - was.value()) / Math.hypot(was.error(), is.error());
       if (sigmas > SIGNIFICANT) {
         most = Math.max(most, sigmas);
-        double share = difference / was.mean();
         ball |= PARAMETERS.get(s).equals(BALLS_OWN) && Math.abs(share) > BALLS_CHANGE;
-        words.add(
-            ParameterWords.ofFileName(PARAMETERS.get(s))
-                + Amount.minus(
-                    String.format(
-                        Locale.ROOT,
-                        " %.4g → %.4g (%+.0f %%)",
-                        was.mean(),
-                        is.mean(),
-                        100 * share)));
+        jumps.add(
+            words
+                + fromTo(was.value(), is.value())
+                + Amount.minus(String.format(Locale.ROOT, " (%+.0f %%)", 100 * share)));
+      }
+      double bend =
+          Math.abs(second.slope() - first.slope())
+              / Math.hypot(first.slopeError(), second.slopeError());
+      if (bend > SIGNIFICANT) {
+        mostOfDrift = Math.max(mostOfDrift, bend);
+        drifts.add("drift of " + words + fromTo(first.slope(), second.slope()) + " per day");
       }
     }
-    return new Change(
-        venue.name(),
-        ball ? Change.Kind.BALL : Change.Kind.CARPET_OR_BALL,
-        OptionalInt.empty(),
-        matches.get(cut - 1),
-        matches.get(cut),
-        String.join(", ", words),
-        most);
+    if (jumps.isEmpty() && drifts.isEmpty()) {
+      return Optional.empty();
+    }
+    Change.Kind jump = ball ? Change.Kind.BALL : Change.Kind.CARPET_OR_BALL;
+    return Optional.of(
+        new Change(
+            venue.name(),
+            jumps.isEmpty() ? Change.Kind.DRIFT : jump,
+            OptionalInt.empty(),
+            matches.get(cut - 1),
+            matches.get(cut),
+            String.join(", ", jumps.isEmpty() ? drifts : jumps),
+            jumps.isEmpty() ? mostOfDrift : most));
+  }
+
+  private static String fromTo(double was, double is) {
+    return Amount.minus(String.format(Locale.ROOT, " %.4g → %.4g", was, is));
   }
 
   private void compareCalibrations() {
@@ -282,84 +291,17 @@ public final class VenueStudy {
     return match.cameras().stream().filter(camera -> camera.id() == id).findFirst();
   }
 
-  /** Cameras that report everything elsewhere from some match on, among matches with the same calibrations. */
   private void findMoves(List<MatchFacts> matches) {
-    List<Integer> ids =
-        matches.stream()
-            .flatMap(match -> match.cameras().stream().map(CameraFacts::id))
-            .distinct()
-            .sorted()
-            .toList();
-    List<Measured[]> series = new ArrayList<>();
-    for (int id : ids) {
-      series.add(offsets(matches, id, true));
-      series.add(offsets(matches, id, false));
-    }
-    ChangeFinder finder =
-        new ChangeFinder(
-            days(matches), series, series.stream().mapToDouble(one -> SAME_OFFSET).toArray());
-    List<Integer> cuts = finder.find();
-    for (int k = 0; k < cuts.size(); k++) {
-      int begin = k == 0 ? 0 : cuts.get(k - 1);
-      int end = k + 1 < cuts.size() ? cuts.get(k + 1) : matches.size();
-      moved(finder, matches, ids, begin, cuts.get(k), end);
-    }
-  }
-
-  private static Measured[] offsets(List<MatchFacts> matches, int id, boolean x) {
-    return matches.stream()
-        .map(
-            match -> usable(camera(match, id).map(c -> x ? c.offsetX() : c.offsetY()).orElse(null)))
-        .toArray(Measured[]::new);
-  }
-
-  private void moved(
-      ChangeFinder finder,
-      List<MatchFacts> matches,
-      List<Integer> ids,
-      int begin,
-      int cut,
-      int end) {
-    double[] shift = new double[ids.size()];
-    double[] sigmas = new double[ids.size()];
-    String[] words = new String[ids.size()];
-    double largest = 0;
-    for (int i = 0; i < ids.size(); i++) {
-      ChangeFinder.Line[] was = {
-        finder.line(2 * i, begin, cut), finder.line(2 * i + 1, begin, cut)
-      };
-      ChangeFinder.Line[] is = {finder.line(2 * i, cut, end), finder.line(2 * i + 1, cut, end)};
-      double dx = is[0].mean() - was[0].mean();
-      double dy = is[1].mean() - was[1].mean();
-      shift[i] = Math.hypot(dx, dy);
-      sigmas[i] =
-          Math.hypot(
-              dx / Math.hypot(was[0].meanError(), is[0].meanError()),
-              dy / Math.hypot(was[1].meanError(), is[1].meanError()));
-      words[i] =
-          Amount.minus(
-              String.format(
-                  Locale.ROOT,
-                  "camera %d reports everything shifted by %+.1f mm in x and %+.1f mm in y",
-                  ids.get(i),
-                  1000 * dx,
-                  1000 * dy));
-      largest = Math.max(largest, shift[i]);
-    }
-    for (int i = 0; i < ids.size(); i++) {
-      // Offsets are relative to the mean: when one camera moves, the others seem to move a little
-      // the other way.
-      if (shift[i] > SMALLEST_MOVE && shift[i] > 0.5 * largest && sigmas[i] > CERTAIN) {
-        changes.add(
-            new Change(
-                venue.name(),
-                Change.Kind.CAMERA_MOVED,
-                OptionalInt.of(ids.get(i)),
-                matches.get(cut - 1),
-                matches.get(cut),
-                words[i],
-                sigmas[i]));
-      }
+    for (CameraMoves.Move move : CameraMoves.among(matches)) {
+      changes.add(
+          new Change(
+              venue.name(),
+              Change.Kind.CAMERA_MOVED,
+              move.camera(),
+              move.last(),
+              move.next(),
+              move.what(),
+              move.sigmas()));
     }
   }
 }
