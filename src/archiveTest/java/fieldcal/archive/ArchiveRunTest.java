@@ -329,16 +329,39 @@ class ArchiveRunTest {
     assertThat(archive.isDone(log, tight)).isTrue();
   }
 
+  /** Tries to take a lock as another program would. */
+  static final class Other {
+    private Other() {}
+
+    public static void main(String[] args) throws IOException {
+      ArchiveLock.take(Path.of(args[0])).close();
+    }
+  }
+
+  private static int other(Path archive) throws IOException, InterruptedException {
+    return new ProcessBuilder(
+            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-cp",
+            System.getProperty("java.class.path"),
+            Other.class.getName(),
+            archive.toString())
+        .start()
+        .waitFor();
+  }
+
   @Test
-  void twoRunsOnOneArchiveRefuseEachOther() throws IOException {
+  void twoRunsOnOneArchiveRefuseEachOther() throws IOException, InterruptedException {
     Path busy = folder.resolve("busy");
     ArchiveLock lock = ArchiveLock.take(busy);
     try {
       assertThatThrownBy(() -> run(busy, "local[1]", true, logs))
           .hasMessageContaining("another run is working on this archive (process ");
+      // The refused run has not released the lock of this one.
+      assertThat(other(busy)).isEqualTo(1);
     } finally {
       lock.close();
     }
+    assertThat(other(busy)).isZero();
     ArchiveLock.take(busy).close();
   }
 

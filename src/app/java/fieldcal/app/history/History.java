@@ -9,6 +9,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
@@ -24,6 +25,10 @@ import java.util.stream.Collectors;
 public final class History {
   private static final String FILE = "history.jsonl";
   private static final String BEFORE = "history";
+
+  /** Never opened but to be locked: when a process closes a file, the system releases all locks that it has on it, also those of another channel. */
+  private static final String LOCK = "history.lock";
+
   private static final ObjectMapper MAPPER = new ObjectMapper();
 
   private final Path directory;
@@ -74,18 +79,21 @@ public final class History {
   public synchronized HistoryEntry add(HistoryEntry entry, Optional<byte[]> before)
       throws IOException {
     Files.createDirectories(directory);
-    try (FileChannel channel =
-        FileChannel.open(
-            directory.resolve(FILE),
-            StandardOpenOption.CREATE,
-            StandardOpenOption.READ,
-            StandardOpenOption.WRITE)) {
-      // Released when the channel is closed.
-      channel.lock();
+    try (FileChannel lock =
+            FileChannel.open(
+                directory.resolve(LOCK), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        FileChannel channel =
+            FileChannel.open(
+                directory.resolve(FILE),
+                StandardOpenOption.CREATE,
+                StandardOpenOption.READ,
+                StandardOpenOption.WRITE)) {
+      // Released when its channel is closed, which is last.
+      lock.lock();
       int number = entries().size() + 1;
       String kept = null;
       if (before.isPresent()) {
-        kept = BEFORE + "/" + number + ".before";
+        kept = free(number);
         WholeFile.write(before.get(), directory.resolve(kept));
       }
       HistoryEntry written =
@@ -108,6 +116,15 @@ public final class History {
     }
   }
 
+  /** A name that no other line has; those of a later version are not among the entries, but count on. */
+  private String free(int number) {
+    int free = number;
+    while (Files.exists(directory.resolve(BEFORE + "/" + free + ".before"))) {
+      free++;
+    }
+    return BEFORE + "/" + free + ".before";
+  }
+
   private static void append(FileChannel channel, String line) throws IOException {
     long end = channel.size();
     // A line that was cut off must not take this one with it.
@@ -125,10 +142,20 @@ public final class History {
    *
    * @param entry with something before
    * @return the bytes
-   * @throws IOException when they cannot be read
+   * @throws IOException when they cannot be read, or the entry names a file that is not in {@code history/}
    */
   public byte[] before(HistoryEntry entry) throws IOException {
-    return Files.readAllBytes(directory.resolve(BEFORE).resolve(entry.id() + ".before"));
+    Path folder = directory.resolve(BEFORE).normalize();
+    Path kept;
+    try {
+      kept = directory.resolve(entry.before()).normalize();
+    } catch (InvalidPathException e) {
+      throw new IOException(directory.resolve(FILE) + ": names no file: " + entry.before(), e);
+    }
+    if (!folder.equals(kept.getParent())) {
+      throw new IOException(kept + ": is not in the history, " + folder);
+    }
+    return Files.readAllBytes(kept);
   }
 
   /**
