@@ -277,11 +277,14 @@ final class ExportCommand implements Callable<Integer> {
     ProcessorHost host = new ProcessorHost(url);
     text.println(url);
     verdict(text, model);
-    byte[] before = host.apply(exporter.settings(), changes -> show(text, changes));
+    HistoryEntry entry = model.departure(Action.APPLIED, to, ProcessorHost.address(url), now());
+    host.apply(
+        exporter.settings(),
+        changes -> show(text, changes),
+        before -> remember(entry, Optional.of(before), text));
     notes(text, exporter.notes());
     text.println();
     text.println("Written and saved. --rollback puts back what was there.");
-    remember(model.departure(Action.APPLIED, to, url, now()), Optional.of(before), text);
     text.flush();
   }
 
@@ -291,7 +294,7 @@ final class ExportCommand implements Callable<Integer> {
   }
 
   private void rollBack() throws IOException {
-    String place = url != null ? url : place(out);
+    String place = url != null ? ProcessorHost.address(url) : place(out);
     History history = history();
     HistoryEntry entry =
         history

@@ -207,23 +207,24 @@ final class ExportDesk {
   void apply(JsonNode body) throws IOException {
     try {
       ExportModel model = model(body);
-      byte[] before =
-          host(body)
-              .apply(
-                  exporter(body, model).settings(),
-                  changes -> {
-                    // The page has shown them and asked.
-                  });
-      history.add(
-          model.departure(Action.APPLIED, PROCESSOR, url(body), now()), Optional.of(before));
-      changed.run();
+      HistoryEntry entry = model.departure(Action.APPLIED, PROCESSOR, url(body), now());
+      host(body)
+          .apply(
+              exporter(body, model).settings(),
+              changes -> {
+                // The page has shown them and asked.
+              },
+              before -> {
+                history.add(entry, Optional.of(before));
+                changed.run();
+              });
     } catch (InputException e) {
       throw ApiException.badRequest(e.getMessage());
     }
   }
 
   private static String url(JsonNode body) {
-    return Requests.text(body, "url", LONGEST_NAME).strip();
+    return ProcessorHost.address(Requests.text(body, "url", LONGEST_NAME));
   }
 
   private static ProcessorHost host(JsonNode body) throws InputException {

@@ -55,6 +55,17 @@ public final class ProcessorHost {
     void show(List<Change> changes);
   }
 
+  /** Is called when the host uses the values, before they are saved: what was there must not be lost if that fails. */
+  public interface Accepted {
+    /**
+     * Keeps what was there.
+     *
+     * @param before the models as they were, JSON; "null" when there were none
+     * @throws IOException when it cannot be kept; then nothing is saved
+     */
+    void replaced(byte[] before) throws IOException;
+  }
+
   /** Changes the models of a document. */
   private interface Edit {
     void in(ObjectNode document) throws InputException;
@@ -72,7 +83,7 @@ public final class ProcessorHost {
 
   ProcessorHost(String url, Duration patience) throws InputException {
     this.patience = patience;
-    this.url = url.replaceFirst("/+$", "");
+    this.url = address(url);
     if (!this.url.matches("https?://[^/\\s?#@]+")) {
       throw new InputException(url + ": is not an address like http://HOST:8085");
     }
@@ -80,22 +91,33 @@ public final class ProcessorHost {
   }
 
   /**
+   * One name for each host.
+   *
+   * @param url as somebody wrote it
+   * @return without spaces around it and slashes at its end
+   */
+  public static String address(String url) {
+    return url.strip().replaceFirst("/+$", "");
+  }
+
+  /**
    * Writes values and saves them. When somebody else changes the configuration meanwhile, it is read again.
    *
    * @param settings the values; their paths begin with {@code models}
    * @param preview is called with what changes, before it is written
-   * @return the models as they were, JSON; "null" when there were none
+   * @param accepted is called once with what was there
    * @throws IOException when the host cannot be reached or refuses; one line
    */
-  public byte[] apply(List<Setting> settings, Preview preview) throws IOException {
-    return write(
+  public void apply(List<Setting> settings, Preview preview, Accepted accepted) throws IOException {
+    write(
         document -> {
           List<Change> changes = new ArrayList<>();
           for (Setting setting : settings) {
             changes.add(new Change(setting, set(document, setting)));
           }
           preview.show(changes);
-        });
+        },
+        accepted);
   }
 
   /**
@@ -143,7 +165,7 @@ public final class ProcessorHost {
   /**
    * Puts models back.
    *
-   * @param before as {@link #apply} returned them
+   * @param before as {@link #apply} gave them away
    * @return the models as they were until now, in the same form
    * @throws IOException when the host cannot be reached or refuses; one line
    */
@@ -156,10 +178,13 @@ public final class ProcessorHost {
           } else {
             document.remove(MODELS);
           }
+        },
+        present -> {
+          // Nothing is lost: what is put back is still in the history.
         });
   }
 
-  private byte[] write(Edit edit) throws IOException {
+  private byte[] write(Edit edit, Accepted accepted) throws IOException {
     byte[] untouched = null;
     for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
       JsonNode answer = read();
@@ -176,7 +201,10 @@ public final class ProcessorHost {
         continue;
       }
       // Where somebody edits between writing and saving, what is read again are the new values.
-      untouched = untouched == null ? before : untouched;
+      if (untouched == null) {
+        untouched = before;
+        accepted.replaced(before);
+      }
       ObjectNode save = MAPPER.createObjectNode();
       save.set("revision", put.get().path("revision"));
       save.put("force", false);

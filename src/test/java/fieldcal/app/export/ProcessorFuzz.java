@@ -117,9 +117,10 @@ public final class ProcessorFuzz implements ParserFuzz.Parser, Closeable {
     }
     answers = parts;
     asked = 0;
-    byte[] before = host.apply(SETTINGS, changes -> changes.forEach(ProcessorHost::words));
+    List<byte[]> before = new ArrayList<>();
+    host.apply(SETTINGS, changes -> changes.forEach(ProcessorHost::words), before::add);
     asked = 0;
-    host.restore(before);
+    host.restore(before.get(0));
   }
 
   @Override

@@ -36,6 +36,9 @@ class ProcessorHostTest {
   private StandIn host;
   private Path model;
 
+  /** What the address ends with. */
+  private String slash = "";
+
   /** The rules of gui/cmd/ssl-vision-processor-gui/server.go: one working document with a revision, and a file. */
   private static final class StandIn {
     private final HttpServer server;
@@ -149,7 +152,7 @@ class ProcessorHostTest {
     args[0] = "export";
     args[1] = model.toString();
     args[2] = "--to=ssl-vision-processor";
-    args[3] = "--apply=" + host.url();
+    args[3] = "--apply=" + host.url() + slash;
     System.arraycopy(more, 0, args, 4, more.length);
     int exit = commands.execute(args);
     return new Answer(exit, out.toString(), err.toString());
@@ -190,13 +193,30 @@ class ProcessorHostTest {
   }
 
   @Test
-  void aFileThatChangedOnDiskIsNotOverwritten() {
+  void aFileThatChangedOnDiskIsNotOverwritten() throws IOException {
     host.diskChanged = true;
     JsonNode disk = host.disk.deepCopy();
     Answer answer = run();
     assertThat(answer.exit()).isEqualTo(1);
     assertThat(answer.err()).contains("did not save").hasLineCount(1);
     assertThat(host.disk).isEqualTo(disk);
+    // What is in use now can be taken back all the same.
+    assertThat(new History(folder).entries())
+        .singleElement()
+        .satisfies(entry -> assertThat(entry.action()).isEqualTo(Action.APPLIED));
+    host.diskChanged = false;
+    assertThat(run("--rollback").exit()).isZero();
+    assertThat(host.disk).isEqualTo(disk);
+  }
+
+  @Test
+  void aSlashAtTheEndIsTheSameHost() throws IOException {
+    JsonNode before = host.disk.deepCopy();
+    slash = "/";
+    assertThat(run().exit()).isZero();
+    slash = "";
+    assertThat(run("--rollback").exit()).isZero();
+    assertThat(host.disk).isEqualTo(before);
   }
 
   @Test
