@@ -34,6 +34,16 @@ public final class MatchNetwork implements AutoCloseable {
      * @param message not to be changed
      */
     default void refereeMessage(byte[] message) {}
+
+    /**
+     * The same for whoever needs to know when it came.
+     *
+     * @param message not to be changed
+     * @param arrivedNanos on the clock of {@link System#nanoTime}, ns
+     */
+    default void refereeMessage(byte[] message, long arrivedNanos) {
+      refereeMessage(message);
+    }
   }
 
   private final NetworkPlace visionPlace;
@@ -101,7 +111,7 @@ public final class MatchNetwork implements AutoCloseable {
   private void hear(Packet packet) {
     Optional<RefereeState> state = refereeSource.accept(packet);
     if (state.isPresent()) {
-      sink.refereeMessage(packet.data());
+      sink.refereeMessage(packet.data(), packet.received());
       sink.referee(state.get());
     }
   }

@@ -18,6 +18,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.time.Clock;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
@@ -28,7 +30,7 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
 /**
- * Records a network until it is stopped. The file begins with the first packet of vision: where none comes, there is no file, and an older one that was to be replaced is still there. What was recorded a
+ * Records a network until it is stopped. The file is opened with the first frame of vision: where none comes, there is no file, and an older one that was to be replaced is still there. It begins with what came before that frame. What was recorded a
  * second ago is with the operating system, so that little is lost when this process is killed. One thread runs it; any may stop it.
  */
 public final class NetworkRecorder implements Closeable {
@@ -36,6 +38,9 @@ public final class NetworkRecorder implements Closeable {
   private static final long WAIT_MS = 50;
 
   private static final double FLUSH = 1;
+
+  /** So many packets before the first frame are kept, the latest: more than a minute of geometry and of a referee. Chosen; the memory for it is 64 MB at most. */
+  private static final int MOST_EARLY = 1000;
 
   /** The status is told so often, s. */
   private static final double TELL = 0.25;
@@ -49,6 +54,7 @@ public final class NetworkRecorder implements Closeable {
   private final CountDownLatch ended = new CountDownLatch(1);
   private final Set<Integer> cameras = new TreeSet<>();
   private volatile boolean stopped;
+  private final Deque<Packet> waiting = new ArrayDeque<>();
   private GameLogWriter writer;
   private IOException failure;
   private boolean geometry;
@@ -168,17 +174,29 @@ public final class NetworkRecorder implements Closeable {
         Files.exists(file) ? file + " is as it was." : "No file was written.");
   }
 
+  /** A packet that is not in the file yet. */
+  private record Packet(MessageType type, byte[] message, long arrivedNanos) {}
+
   /** What was heard, with the moment of its arrival. */
   private void write(MessageType type, byte[] message, long arrivedNanos) {
     if (failure != null) {
+      return;
+    }
+    waiting.add(new Packet(type, message, arrivedNanos));
+    if (frames == 0) {
+      if (waiting.size() > MOST_EARLY) {
+        waiting.remove();
+      }
       return;
     }
     try {
       if (writer == null) {
         writer = open();
       }
-      writer.write(beginUnixNanos + (arrivedNanos - beginNanos), type, message);
-      bytes += message.length;
+      for (Packet one = waiting.poll(); one != null; one = waiting.poll()) {
+        writer.write(beginUnixNanos + (one.arrivedNanos - beginNanos), one.type, one.message);
+        bytes += one.message.length;
+      }
     } catch (IOException e) {
       failure = named(e);
     }
@@ -279,10 +297,10 @@ public final class NetworkRecorder implements Closeable {
     }
 
     @Override
-    public void refereeMessage(byte[] message) {
+    public void refereeMessage(byte[] message, long arrivedNanos) {
       // A recording of a referee alone is of no use.
       if (vision) {
-        write(MessageType.SSL_REFBOX_2013, message, System.nanoTime());
+        write(MessageType.SSL_REFBOX_2013, message, arrivedNanos);
       }
     }
 

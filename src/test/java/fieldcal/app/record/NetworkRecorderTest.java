@@ -228,6 +228,29 @@ class NetworkRecorderTest {
     assertThat(file).hasContent("precious");
   }
 
+  /** Some software publishes its geometry also where no camera runs. */
+  @Test
+  void geometryAloneOverwritesNothing() throws Exception {
+    int port = freePort();
+    Path file = Files.writeString(folder.resolve("old.log"), "precious");
+    try (LoopbackSender vision = new LoopbackSender(port)) {
+      CompletableFuture<Answer> answer =
+          CompletableFuture.supplyAsync(
+              () ->
+                  run(
+                      "--out=" + file,
+                      "--multicast=" + LoopbackSender.GROUP + ":" + port,
+                      "--seconds=0.5",
+                      "--overwrite"));
+      while (!answer.isDone()) {
+        vision.send(geometry());
+        Thread.sleep(10);
+      }
+      assertThat(answer.get().err).contains("old.log is as it was");
+    }
+    assertThat(file).hasContent("precious");
+  }
+
   @Test
   void anOverwrittenFileIsARecordingAfterwards() throws Exception {
     int port = freePort();
