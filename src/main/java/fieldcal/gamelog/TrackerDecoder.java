@@ -8,6 +8,7 @@ import fieldcal.proto.TrackerWrapperPacket;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.Team;
+import fieldcal.vision.VisionDecoder;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -101,6 +102,9 @@ final class TrackerDecoder {
   }
 
   private static Optional<RobotId> robot(fieldcal.proto.RobotId id) {
+    if (Integer.toUnsignedLong(id.getId()) > VisionDecoder.MAX_ROBOT_NUMBER) {
+      return Optional.empty();
+    }
     return switch (id.getTeam()) {
       case YELLOW -> Optional.of(new RobotId(Team.YELLOW, id.getId()));
       case BLUE -> Optional.of(new RobotId(Team.BLUE, id.getId()));

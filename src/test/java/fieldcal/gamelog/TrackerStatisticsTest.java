@@ -18,6 +18,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Trackers' frames in a recording: what they say, who says it, and what is no such frame. */
 class TrackerStatisticsTest {
@@ -77,6 +79,20 @@ class TrackerStatisticsTest {
       }
     }
     return log;
+  }
+
+  /** 255 at most, as in vision's messages; the field is unsigned. */
+  @ParameterizedTest
+  @ValueSource(ints = {256, Integer.MAX_VALUE, Integer.MIN_VALUE, -1})
+  void aRobotOfAnImpossibleNumberIsLeftOut(int number) {
+    KickedBall kicked =
+        kick(1).toBuilder()
+            .setRobotId(RobotId.newBuilder().setId(number).setTeam(Team.BLUE))
+            .build();
+    byte[] bytes = packet("TIGERs", frame(1).setKickedBall(kicked));
+    TrackerFrame decoded =
+        new TrackerDecoder(LogBuilder.EPOCH).decode(bytes, 0, bytes.length).orElseThrow();
+    assertThat(decoded.kick().orElseThrow().robot()).isEmpty();
   }
 
   @Test
