@@ -30,7 +30,7 @@ public record FieldComparison(
   /** Speed of the pass that both fields are compared with, m/s. */
   public static final double PASS_SPEED = Cost.PASS;
 
-  /** Largest probability at which any difference is named between two recordings of one field, all tables together. */
+  /** Largest probability at which the tests name any difference between two recordings of one field, all tables together. A learned term is not tested again; the false alarms of both diagnoses come on top. */
   public static final double ALPHA = 0.01;
 
   /** Copies the collections. {@inheritDoc} */

@@ -10,13 +10,20 @@ import fieldcal.diagnosis.Diagnosis;
 import fieldcal.diagnosis.Gain;
 import fieldcal.effect.motion.FieldSlope;
 import fieldcal.effect.motion.KickSpin;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 /** How certain it is that only one side has a cause. */
 class DifferencesTest {
   private static final int KICKS = 4;
+
+  /** Recordings with nothing wrong in which the diagnosis names or learns something, at most (docs/diagnosis.md). */
+  private static final double FALSE_DIAGNOSIS = 0.005;
 
   private static Cause spin(double mean, double scatter, double evidence) {
     return new Cause(
@@ -39,6 +46,19 @@ class DifferencesTest {
   @Test
   void aCauseThatIsTheSameForAllKicksIsTestedByItsSize() {
     assertThat(Differences.ofPresence(spin(0.04, 0, 400), 1)).isCloseTo(0.3173, within(1e-4));
+  }
+
+  /** A learned term is not among what is corrected: its false alarms are those of the two diagnoses. */
+  @Test
+  void theDocumentAddsTheFalseAlarmsOfBothDiagnoses() throws IOException {
+    Path document = Path.of(System.getProperty("fieldcal.projectDir", "."), "docs", "compare.md");
+    double sum = FieldComparison.ALPHA + 2 * FALSE_DIAGNOSIS;
+    assertThat(Files.readString(document).replaceAll("\\s+", " "))
+        .contains(
+            String.format(
+                Locale.ROOT,
+                "any difference is named with a probability of at most %.0f %%",
+                100 * sum));
   }
 
   private static Diagnosis sloping(double percent, double direction) {
