@@ -75,6 +75,10 @@ final class ServeOptions {
           settings.seed());
       out.flush();
       server.serve(stop::get);
+      if (server.lost() > 0) {
+        out.printf(Locale.ROOT, "%d packets could not be sent%n", server.lost());
+        out.flush();
+      }
     }
   }
 }

@@ -37,6 +37,7 @@ public final class SimulatorServer implements Closeable {
   private final PriorityQueue<Delayed> delayed =
       new PriorityQueue<>(Comparator.comparingLong(Delayed::due).thenComparingLong(Delayed::order));
   private long order;
+  private long lostReplies;
 
   /** A port, and whose messages come there. */
   private record Door(DatagramChannel channel, Team team) {}
@@ -151,7 +152,25 @@ public final class SimulatorServer implements Closeable {
       reply = SimulatorProtocol.unreadable(door.team() == null);
     }
     byte[] bytes = reply;
-    later(() -> door.channel().send(ByteBuffer.wrap(bytes), sender));
+    later(() -> reply(door.channel(), bytes, sender));
+  }
+
+  /** Who asked may be gone, or the network; that is no reason to end. */
+  void reply(DatagramChannel channel, byte[] bytes, SocketAddress sender) {
+    try {
+      channel.send(ByteBuffer.wrap(bytes), sender);
+    } catch (IOException e) {
+      lostReplies++;
+    }
+  }
+
+  /**
+   * Packets of vision and replies that could not be sent.
+   *
+   * @return 0 as long as the network works
+   */
+  public long lost() {
+    return vision.lost() + lostReplies;
   }
 
   private void show(SimulatedPacket packet) {

@@ -31,6 +31,7 @@ import fieldcal.vision.VisionPacket;
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
+import java.nio.channels.DatagramChannel;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumSet;
@@ -432,6 +433,21 @@ class NetworkPlayFieldTest {
       assertThat(String.join("\n", ended.notes()))
           .contains("vision: 1 packets, 0 dropped")
           .doesNotContain("Nothing was received");
+    }
+  }
+
+  @Test
+  void aReplyThatCannotBeSentIsCountedAndEndsNothing() throws Exception {
+    SessionRequest r = SessionRequest.of(KickKind.FLAT, 1);
+    InteractiveField field =
+        InteractiveField.of(SimulationSettings.DEFAULT, r.first(), r.second(), List.of());
+    NetworkPlace vision = NetworkPlace.parse("127.0.0.1:" + freePort(), null);
+    try (SimulatorServer server =
+            new SimulatorServer(field, freePorts(), vision.address(), Impairment.NONE, 1);
+        DatagramChannel channel = DatagramChannel.open()) {
+      byte[] longerThanAnyPacket = new byte[70_000];
+      server.reply(channel, longerThanAnyPacket, vision.address());
+      assertThat(server.lost()).isEqualTo(1);
     }
   }
 

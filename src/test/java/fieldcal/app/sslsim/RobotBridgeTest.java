@@ -85,12 +85,8 @@ class RobotBridgeTest {
               protocol.beforeStep();
               field.step(
                   p -> {
-                    try {
-                      if (!visionSilent.get()) {
-                        sender.send(encoder.encode(p.packet()));
-                      }
-                    } catch (IOException e) {
-                      throw new AssertionError(e);
+                    if (!visionSilent.get()) {
+                      sender.send(encoder.encode(p.packet()));
                     }
                   });
             }
