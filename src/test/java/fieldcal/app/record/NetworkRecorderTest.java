@@ -2,6 +2,7 @@ package fieldcal.app.record;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.InstanceOfAssertFactories.LONG;
 
 import fieldcal.app.calibrate.InputException;
 import fieldcal.app.cli.Main;
@@ -198,6 +199,59 @@ class NetworkRecorderTest {
       }
     }
     assertThat(gaps).isEqualTo(1);
+  }
+
+  /** The listener holds the recorder up. */
+  @Test
+  void whatTheRefereeSaysHasTheTimeWhenItCame() throws Exception {
+    int port = freePort();
+    int refereePort = freePort();
+    Path file = folder.resolve("busy.log");
+    CompletableFuture<Void> held = new CompletableFuture<>();
+    CompletableFuture<Void> released = new CompletableFuture<>();
+    long said;
+    try (NetworkRecorder recorder =
+            new NetworkRecorder(
+                file, false, place(port), Optional.of(place(refereePort)), Clock.systemUTC());
+        LoopbackSender vision = new LoopbackSender(port);
+        LoopbackSender whistle = new LoopbackSender(refereePort)) {
+      CompletableFuture<RecordStatus> running =
+          CompletableFuture.supplyAsync(
+              () -> {
+                try {
+                  return recorder.run(
+                      60,
+                      s -> {
+                        if (s.frames() > 0) {
+                          held.complete(null);
+                          released.join();
+                        }
+                      });
+                } catch (IOException e) {
+                  throw new IllegalStateException(e);
+                }
+              });
+      while (!held.isDone()) {
+        vision.send(frame(1));
+        Thread.sleep(20);
+      }
+      said = System.currentTimeMillis();
+      whistle.send(halt());
+      Thread.sleep(2000);
+      released.complete(null);
+      Thread.sleep(200);
+      recorder.stop();
+      running.get(60, TimeUnit.SECONDS);
+    }
+    List<Long> times = new ArrayList<>();
+    try (GameLogReader log = GameLogReader.open(file)) {
+      while (log.next()) {
+        if (log.type() == MessageType.SSL_REFBOX_2013) {
+          times.add(log.receivedNanos() / 1_000_000);
+        }
+      }
+    }
+    assertThat(times).singleElement().asInstanceOf(LONG).isBetween(said - 1000, said + 1000);
   }
 
   @Test
