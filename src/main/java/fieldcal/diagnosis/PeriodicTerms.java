@@ -44,6 +44,9 @@ final class PeriodicTerms {
   /** Periods that the session has at least: what comes fewer times is a curve over the session. */
   private static final double FEWEST_PERIODS = 3;
 
+  /** Longest session that is looked at, s. Chosen: the number of frequencies grows with it, to 36,000 here, and no mount or clock is known to keep its phase for half an hour. */
+  private static final double LONGEST = 1800;
+
   /** Chance that the highest peak of noise reaches what is offered; a search asks for more. */
   private static final double CHANCE = 1e-3;
 
@@ -249,10 +252,13 @@ final class PeriodicTerms {
       squares += s.squares;
       n += s.size;
     }
+    if (!(last > first) || last - first > LONGEST) {
+      return Optional.empty();
+    }
     double step = 1 / (OVERSAMPLING * (last - first));
     int count = (int) Math.ceil(1 / SHORTEST / step);
     int least = (int) (FEWEST_PERIODS * OVERSAMPLING);
-    if (!(last > first) || count <= least) {
+    if (count <= least) {
       return Optional.empty();
     }
     double[] sum = new double[count];

@@ -177,7 +177,7 @@ public interface MotionEffect extends Effect {
     void cross(double[] velocity);
   }
 
-  /** What makes rolling differ from a constant deceleration: a = −(−accRoll·∏ factors + Σ addends) along the velocity. */
+  /** What makes rolling differ from a constant deceleration: a = −(−accRoll + Σ addends)·∏ factors along the velocity. */
   interface RollingResistance extends MotionEffect {
     /**
      * Factor on the deceleration, with what other effects add to it.

@@ -51,7 +51,8 @@ public final class Decision {
     fitter = fresh.fitter();
     this.alternatives = alternatives;
     this.seed = seed;
-    solver = SharedSolver.withDefaults().withMaxIterations(20);
+    // A cause may have changed how often chips bounced: without it that is settled anew.
+    solver = SharedSolver.withDefaults().withMaxIterations(20).settlingVariants();
   }
 
   /**

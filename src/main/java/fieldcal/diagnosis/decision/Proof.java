@@ -66,10 +66,10 @@ final class Proof {
     if (model.solution().covariance().isEmpty() || !isTestable()) {
       return true;
     }
-    double limit =
-        new FDistribution(null, size, model.kickCount() - size)
-            .inverseCumulativeProbability(1 - settings.uneven());
-    return !(wald() / size > limit);
+    int left = model.kickCount() - size;
+    double f = wald() * left / (size * (model.kickCount() - 1.0));
+    return !(f
+        > new FDistribution(null, size, left).inverseCumulativeProbability(1 - settings.uneven()));
   }
 
   /** Whether the kicks have more in common than they differ by. The mean is compared with the scatter and not with its standard error, which may depend on what is known of the ball beforehand. */

@@ -243,7 +243,7 @@ public final class ModelFitter {
     SharedProblem<ModelState> problem =
         new SharedProblem<>(
             model, terms, starts, model.globals(), model.priors(), model.randoms(), weights);
-    SharedSolver used = effort.isSpent() ? solver.withMaxIterations(FEW_ITERATIONS) : solver;
+    SharedSolver used = effort.isSpent() ? solver.withAtMost(FEW_ITERATIONS) : solver;
     FittedModel fitted = new FittedModel(model, used.solve(problem));
     watcher.accept(fitted);
     return fitted;

@@ -8,7 +8,6 @@ import fieldcal.diagnosis.model.Weighing;
 import fieldcal.effect.Effect;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -34,7 +33,7 @@ public final class Alternatives {
   public Alternatives(ModelFitter fitter, Dictionary dictionary) {
     this.fitter = fitter;
     this.dictionary = dictionary;
-    solver = SharedSolver.withDefaults().withMaxIterations(20);
+    solver = SharedSolver.withDefaults().withMaxIterations(20).settlingVariants();
   }
 
   /**
@@ -127,9 +126,11 @@ public final class Alternatives {
         tried.putIfAbsent(c.template().id() + c.template().subject(), c);
       }
     }
+    double noise = Math.max(1, model.solution().reducedChiSquare());
     Set<String> equal = new LinkedHashSet<>();
     for (Component c : tried.values()) {
-      if (cost(swapped(model, i, scorer.estimated(c, sweep))) - cost(model) < tolerance) {
+      FittedModel other = swapped(model, i, scorer.estimated(c, sweep));
+      if (other.evenCost() - model.evenCost() < tolerance * noise) {
         equal.add(name(c, own));
       }
     }
@@ -150,11 +151,5 @@ public final class Alternatives {
     }
     EffectModel start = model.resumedWith(all);
     return fitter.fit(start, model, Weighing.ALIKE, solver);
-  }
-
-  private static double cost(FittedModel model) {
-    double[] ones = new double[model.kickCount()];
-    Arrays.fill(ones, 1);
-    return model.solution().costWith(ones);
   }
 }

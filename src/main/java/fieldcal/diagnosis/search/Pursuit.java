@@ -97,7 +97,9 @@ final class Pursuit {
     best = start;
     held = revises ? List.of() : start.model().components();
     if (order == Order.RANDOM) {
-      dictionary.random(start.model()).forEach(c -> tryAdding(c.components(), List.of(c), 0));
+      dictionary
+          .random(start.model())
+          .forEach(c -> tryAdding(c.components(), List.of(c), List.of(0.0)));
     }
     addLaws();
     if (order == Order.SHARED) {
@@ -272,7 +274,7 @@ final class Pursuit {
     double first = 0;
     double worth = WORTH * best.solution().rows();
     double left = left();
-    double expected = 0;
+    List<Double> expected = new ArrayList<>();
     while (from.size() < atOnce && model.components().size() + chosen.size() < maxComponents) {
       Proposal top = null;
       double topNet = Math.max(worth, TOGETHER * first);
@@ -297,7 +299,7 @@ final class Pursuit {
         break;
       }
       first = Math.max(first, topNet);
-      expected += topGain;
+      expected.add(topGain);
       from.add(top);
       List<Component> members =
           top.group() ? Shortlist.members(top, scorer, sweep) : top.components();
@@ -341,7 +343,9 @@ final class Pursuit {
     }
   }
 
-  private boolean tryAdding(List<Component> chosen, List<Proposal> from, double expected) {
+  /** Tries components of some proposals; for each of these what the score test expects, the first alone and the others beside those before. */
+  private boolean tryAdding(List<Component> chosen, List<Proposal> from, List<Double> gains) {
+    double expected = gains.stream().mapToDouble(Double::doubleValue).sum();
     FittedModel next = refits.fit(best, added(best.model().components(), chosen));
     double gained = price.gain(best, next);
     double penalty = Price.of(chosen);
@@ -355,7 +359,8 @@ final class Pursuit {
     }
     if (from.size() > 1) {
       // Together they may be too much at once.
-      return tryAdding(placed(membersOf(from.get(0), chosen)), from.subList(0, 1), expected);
+      return tryAdding(
+          placed(membersOf(from.get(0), chosen)), from.subList(0, 1), gains.subList(0, 1));
     }
     rejected.add(from.get(0).toString());
     return true;
@@ -498,11 +503,13 @@ final class Pursuit {
     return laws;
   }
 
-  /** What the model leaves beyond noise, in weighted units of chi-square. */
+  /** What the model leaves beyond noise, in units of chi-square with the weights of the pursuit, as its gains are. */
   private double left() {
+    double[] weights = refits.weighing().of(best);
     double left = 0;
     for (int k = 0; k < best.kickCount(); k++) {
-      left += best.solution().kicks().get(k).rows() * (1 - 1 / Math.max(1, best.reduced(k)));
+      double beyond = Math.max(0, best.reduced(k) - 1);
+      left += weights[k] * best.solution().kicks().get(k).rows() * beyond;
     }
     return left;
   }

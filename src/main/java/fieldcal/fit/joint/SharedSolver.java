@@ -74,6 +74,16 @@ public final class SharedSolver {
   }
 
   /**
+   * The same with a limit of steps, unless it has a lower one.
+   *
+   * @param iterations most steps, accepted or not, at least 1
+   * @return the changed copy
+   */
+  public SharedSolver withAtMost(int iterations) {
+    return withMaxIterations(Math.min(iterations, maxIterations));
+  }
+
+  /**
    * The same with another end.
    *
    * @param gain of chi-square, in units of the reduced one (–), below which a step is the last; positive, 0.01 by default
@@ -276,10 +286,13 @@ public final class SharedSolver {
       for (int k = 0; k < fits.size(); k++) {
         OwnFit<S> fit = fits.get(k).orElse(null);
         if (fit != null && (fit.term() != kicks.get(k) || stuck[k])) {
-          changed |=
+          boolean better =
               fit.term() != kicks.get(k)
                   || !(fit.chiSquare() >= IMPROVED * reduced[k] * fit.term().rows());
-          descent.put(k, fit.term(), fit.own());
+          if (better) {
+            descent.put(k, fit.term(), fit.own());
+          }
+          changed |= better;
         }
       }
       return changed;
