@@ -17,11 +17,13 @@ import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.effect.Effect;
 import fieldcal.effect.ExtendedModel;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * What was decided, and the diagnosis that it makes. Immutable.
@@ -39,11 +41,12 @@ record Answer(Decided decided, List<Cause> kickers) {
     double[] ofForms = FormErrors.variances(free);
     List<Judgement> judged = decided.best().judged();
     Leftover after = Leftover.ofSeen(extended);
+    List<Integer> named = told(judged);
     List<Cause> causes = new ArrayList<>();
     List<LearnedFinding> learned = new ArrayList<>();
     for (int i = 0; i < judged.size(); i++) {
       Judgement j = judged.get(i);
-      if (j.isName()) {
+      if (named.contains(i)) {
         List<String> ties = decided.screened().decision().ties(extended, i, j);
         causes.add(cause(j, errors(free, i, ofForms), ties));
       } else {
@@ -51,11 +54,9 @@ record Answer(Decided decided, List<Cause> kickers) {
       }
     }
     learned.sort((x, y) -> Double.compare(y.gain().mm(), x.gain().mm()));
-    causes.addAll(kickers);
+    List<Cause> robots = kickers.subList(0, Math.min(kickers.size(), mostCauses() - causes.size()));
+    causes.addAll(robots);
     causes.sort((x, y) -> Double.compare(y.evidence(), x.evidence()));
-    while (causes.size() > decided.screened().problem().maxCauses()) {
-      causes.remove(causes.size() - 1);
-    }
     List<StructureProfile> before = Profiles.of(base, decided.screened().problem().sessionStart());
     List<StructureProfile> left =
         Profiles.of(extended, decided.screened().problem().sessionStart());
@@ -78,11 +79,25 @@ record Answer(Decided decided, List<Cause> kickers) {
         left,
         residuals(),
         model(base, List.of()),
-        model(extended, kickers),
+        model(extended, robots),
         trace,
         problems,
         ballErrors(free, ofForms),
         decided.screened().seed());
+  }
+
+  private int mostCauses() {
+    return decided.screened().problem().maxCauses();
+  }
+
+  /** The components that are told as causes: those with a name, the most evident where there are too many. The others stay in the model and are told among what was learned. */
+  private List<Integer> told(List<Judgement> judged) {
+    return IntStream.range(0, judged.size())
+        .filter(i -> judged.get(i).isName())
+        .boxed()
+        .sorted(Comparator.comparingDouble(i -> -judged.get(i).evidence()))
+        .limit(mostCauses())
+        .toList();
   }
 
   /** The same model with its places free, too, for the errors; the places themselves hardly move any more. */

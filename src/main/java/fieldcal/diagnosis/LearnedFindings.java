@@ -1,10 +1,12 @@
 package fieldcal.diagnosis;
 
+import fieldcal.ball.BallState;
 import fieldcal.diagnosis.decision.Decision;
 import fieldcal.diagnosis.decision.Judgement;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
+import fieldcal.effect.ExtendedTrajectory;
 import fieldcal.effect.MeasurementEffect;
 import fieldcal.effect.MotionEffect.Bounce;
 import fieldcal.effect.MotionEffect.ImpactLaw;
@@ -13,6 +15,7 @@ import fieldcal.effect.learned.Harmonics;
 import fieldcal.effect.learned.LearnedCurve;
 import fieldcal.effect.learned.LearnedCurve.Support;
 import fieldcal.effect.learned.LearnedTerm;
+import fieldcal.effect.learned.Polynomial;
 import fieldcal.effect.learned.Variable;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -106,9 +109,9 @@ final class LearnedFindings {
           range[n++] = new double[] {arena.y0(), arena.y1()};
         }
         case IMAGE_POSITION -> {
-          double half = 0.25 * (arena.x1() - arena.x0());
-          range[n++] = new double[] {-half, half};
-          range[n++] = new double[] {-half, half};
+          Polynomial area = (Polynomial) term.family().basis();
+          range[n++] = new double[] {area.fromX(), area.toX()};
+          range[n++] = new double[] {area.fromY(), area.toY()};
         }
         case HEADING -> range[n++] = new double[] {-Math.PI, Math.PI};
         case SESSION_TIME ->
@@ -118,7 +121,12 @@ final class LearnedFindings {
                     : new double[] {Math.min(0, session), session};
         case VERTICAL_SPEED -> range[n++] = new double[] {0, Math.max(rise, 1)};
         case HOP -> range[n++] = new double[] {1, 4};
-        case TIME_SINCE_KICK -> range[n++] = new double[] {0, 5};
+        case TIME_SINCE_KICK -> range[n++] = new double[] {0, reachedBySome(ends(model, false))};
+        case DISTANCE_ROLLED ->
+            range[n++] =
+                term.family().basis() instanceof Harmonics h
+                    ? new double[] {0, h.period()}
+                    : new double[] {0, reachedBySome(ends(model, true))};
         default -> range[n++] = new double[] {0, Math.max(speed, 1)};
       }
       if (n == 2) {
@@ -128,6 +136,23 @@ final class LearnedFindings {
     return n == 2
         ? new Support(range[0][0], range[0][1], range[1][0], range[1][1])
         : Support.of(range[0][0], range[0][1]);
+  }
+
+  /** When each kick was last seen, s after the kick, or how far from it, m. */
+  private static List<Double> ends(FittedModel model, boolean asDistance) {
+    List<Double> ends = new ArrayList<>();
+    for (int k = 0; k < model.kickCount(); k++) {
+      ExtendedTrajectory path =
+          model.kick(k).path(model.solution().own(k), model.solution().state());
+      double last = model.kick(k).record().time(model.kick(k).record().size() - 1);
+      BallState begin = path.stateAt(path.kickTime());
+      BallState end = path.stateAt(last);
+      ends.add(
+          asDistance
+              ? Math.hypot(end.x() - begin.x(), end.y() - begin.y())
+              : last - path.kickTime());
+    }
+    return ends;
   }
 
   /** The largest value that more than {@link Decision#TOO_FEW_KICKS} kicks reach; the smallest with so few kicks, 0 without any. */

@@ -70,4 +70,25 @@ class LearnedFindingsTest {
     assertThat(finding(0.011, 0.4, -1.2, 1.2).isShownToHelp()).isFalse();
     assertThat(finding(Double.NaN, Double.NaN, Double.NaN, Double.NaN).isShownToHelp()).isFalse();
   }
+
+  /** What has a name but is not to be told as a cause stays in the model, so it is told among what was learned. */
+  @Test
+  void namesBeyondTheLimitAreNotConcealed() {
+    DiagnosisProblem p = field.problem();
+    Diagnosis diagnosis =
+        new Diagnoser()
+            .diagnose(
+                new DiagnosisProblem(
+                    p.fits(),
+                    p.cameras(),
+                    p.observers(),
+                    p.sessionStart(),
+                    p.commands(),
+                    0,
+                    p.seed()),
+                said -> {});
+    assertThat(diagnosis.causes()).isEmpty();
+    assertThat(diagnosis.learned()).extracting(l -> l.effect().id()).containsExactly("air_drag");
+    assertThat(diagnosis.verdict()).isEqualTo(Verdict.PARTLY_EXPLAINED);
+  }
 }

@@ -300,11 +300,20 @@ public final class LearnedWords {
   private static String sine(LearnedCurve curve, SimpleFormula formula, Variable variable) {
     String size = size(curve, formula.amount());
     String change = change(curve, 1);
-    return variable == Variable.DISTANCE_ROLLED
-        ? text("During each turn of the ball, the %s, and then the opposite: by %s.", change, size)
-        : text(
+    if (variable == Variable.DISTANCE_ROLLED) {
+      return text(
+          "During each turn of the ball, the %s, and then the opposite: by %s.", change, size);
+    }
+    String direction = FieldWords.direction(formula.place());
+    double period = ((Harmonics) curve.family().basis()).period();
+    return period > Math.PI
+        ? text(
             "The %s when it goes %s: by %s. When it goes the other way, the opposite is true.",
-            change, FieldWords.direction(formula.place()), size);
+            change, direction, size)
+        : text(
+            "The %s when it goes %s, or every %s° from there: by %s. Halfway between these"
+                + " directions, the opposite is true.",
+            change, direction, Amount.decimals(Math.toDegrees(period), 0), size);
   }
 
   /** The places where the curve is most certainly on one side and on the other. */

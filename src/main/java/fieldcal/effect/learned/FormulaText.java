@@ -35,7 +35,7 @@ final class FormulaText {
       case ONSET ->
           what + " " + verb + " by " + size + " per " + per + " above " + at(place, variable);
       case STEP -> what + " is " + side + " by " + size + " from " + at(place, variable) + " on";
-      case SINE -> sine(what, number(amount) + unit, sign < 0 ? place + Math.PI : place, curve);
+      case SINE -> sine(what, number(amount) + unit, sign < 0, place, curve);
       case GRADIENT ->
           what
               + " grows by "
@@ -66,10 +66,19 @@ final class FormulaText {
     return curve.certainlyHighest().orElseGet(curve::highest).value();
   }
 
-  private static String sine(String what, String size, double place, LearnedCurve curve) {
+  private static String sine(
+      String what, String size, boolean turned, double place, LearnedCurve curve) {
     String varies = what + " varies by ±" + size;
     return switch (curve.family().variables().get(0)) {
-      case HEADING -> varies + " with the heading, most towards " + degrees(place);
+      case HEADING -> {
+        double period = ((Harmonics) curve.family().basis()).period();
+        String most = degrees(turned ? place + period / 2 : place);
+        boolean fullTurn = period > Math.PI;
+        yield varies
+            + " with the heading, most towards "
+            + most
+            + (fullTurn ? "" : " and every " + degrees(period) + " from there");
+      }
       case SESSION_TIME -> varies + every(curve);
       default -> varies + " during each turn of the ball";
     };

@@ -59,7 +59,7 @@ public record SimpleFormula(
     ONSET,
     /** a from x0 on. */
     STEP,
-    /** a·cos(x − x0), x an angle or, of a distance, the angle by which a ball has turned. */
+    /** a·cos(n·(x − x0)), x an angle or, of a distance, the angle by which a ball has turned; n = 4 for what comes again with each quarter turn of the heading, else 1. */
     SINE,
     /** a·(x·cos x0 + y·sin x0) over a place. */
     GRADIENT,
@@ -132,6 +132,9 @@ public record SimpleFormula(
         double c = Math.cos(where);
         double s = Math.sin(where);
         error = Math.sqrt(c * c * errors[1] * errors[1] + s * s * errors[2] * errors[2]);
+      }
+      if (kind == Kind.SINE && curve.family().variables().contains(Variable.HEADING)) {
+        where *= ((Harmonics) curve.family().basis()).period() / (2 * Math.PI);
       }
       String text = FormulaText.of(kind, amount, where, curve);
       return new SimpleFormula(kind, amount, error, where, coefficients[0], explained, text);

@@ -28,13 +28,16 @@ class SimpleFormulaTest {
           Variable.PLACE,
           new Surface(new Spline(-6, 6, 4, false), new Spline(-4, 4, 3, false), true));
 
+  private static final LearnedFamily QUARTERS =
+      LearnedFamily.of(Quantity.SLIDING, Variable.HEADING, new Harmonics(3, Math.PI / 2));
+
   private static final double ERROR = 0.004;
 
   /** Exact points with an error. */
   private static SimpleFormula formula(LearnedFamily family, DoubleBinaryOperator law) {
     List<Point> points = new ArrayList<>();
     boolean table = family.basis().dimension() == 2;
-    double end = family == HEADING ? Math.PI : 6;
+    double end = family == HEADING || family == QUARTERS ? Math.PI : 6;
     double begin = family == SPEED ? 0.5 : -end;
     for (double y = table ? -4 : 0; y <= (table ? 4 : 0); y++) {
       for (int i = 0; i <= 32; i++) {
@@ -205,5 +208,14 @@ class SimpleFormulaTest {
     LearnedCurve curve = LearnedCurve.of(term, 0, new double[5][5], Support.of(2, 2));
     assertThat(curve.points()).hasSize(1);
     assertThat(SimpleFormula.of(curve).kind()).isEqualTo(Kind.NONE);
+  }
+
+  /** A box of friction brakes most along its diagonals. */
+  @Test
+  void whatComesAgainEveryQuarterTurnHasADirection() {
+    SimpleFormula box = formula(QUARTERS, (x, y) -> 0.1 * Math.cos(4 * (x - 0.3)));
+    assertThat(box.kind()).isEqualTo(Kind.SINE);
+    assertThat(box.place()).isEqualTo(0.3, within(1e-6));
+    assertThat(box.text()).endsWith("most towards 17° and every 90° from there");
   }
 }
