@@ -305,15 +305,14 @@ public final class LearnedWords {
           "During each turn of the ball, the %s, and then the opposite: by %s.", change, size);
     }
     String direction = FieldWords.direction(formula.place());
-    double period = ((Harmonics) curve.family().basis()).period();
-    return period > Math.PI
+    return curve.family().basis() instanceof Harmonics h && h.period() < Math.PI
         ? text(
-            "The %s when it goes %s: by %s. When it goes the other way, the opposite is true.",
-            change, direction, size)
-        : text(
             "The %s when it goes %s, or every %s° from there: by %s. Halfway between these"
                 + " directions, the opposite is true.",
-            change, direction, Amount.decimals(Math.toDegrees(period), 0), size);
+            change, direction, Amount.decimals(Math.toDegrees(h.period()), 0), size)
+        : text(
+            "The %s when it goes %s: by %s. When it goes the other way, the opposite is true.",
+            change, direction, size);
   }
 
   /** The places where the curve is most certainly on one side and on the other. */
