@@ -8,7 +8,6 @@ import fieldcal.archive.venue.Carpet;
 import fieldcal.archive.venue.Change;
 import fieldcal.archive.venue.MatchFacts;
 import fieldcal.archive.venue.Measured;
-import fieldcal.archive.venue.Median;
 import fieldcal.archive.venue.VenueStudy;
 import fieldcal.movement.Grid;
 import java.io.IOException;
@@ -20,6 +19,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
+import org.apache.commons.math3.stat.StatUtils;
 
 /** From the conclusions to the page. */
 final class Atlas {
@@ -158,7 +158,8 @@ final class Atlas {
   }
 
   private static double median(List<CameraFacts> cameras, ToDoubleFunction<CameraFacts> of) {
-    return Median.of(cameras.stream().mapToDouble(of).filter(Double::isFinite).toArray());
+    return StatUtils.percentile(
+        cameras.stream().mapToDouble(of).filter(Double::isFinite).toArray(), 50);
   }
 
   private static AtlasView.Team team(TeamStudy study) {

@@ -137,7 +137,12 @@ public final class PlayRun {
 
   /** The sessions of the same field as one of them: a rehearsal and the real field are not calibrated together. */
   private static List<Path> alike(ReadableRecordings readable, Path session) throws IOException {
-    RecordingFacts its = RecordingFacts.of(session, LogOpener.USUAL);
+    RecordingFacts its = null;
+    for (RecordingFacts facts : readable.facts()) {
+      its = facts.log().equals(session) ? facts : its;
+    }
+    // One that cannot be read says why.
+    its = its == null ? RecordingFacts.of(session, LogOpener.USUAL) : its;
     return RecordingChoice.alike(readable.facts(), its).stream().map(RecordingFacts::log).toList();
   }
 

@@ -3,6 +3,7 @@ package fieldcal.archive.venue;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.apache.commons.math3.stat.StatUtils;
 
 /**
  * Cuts series of measurements where they change. Between changes each series is a straight line over time with a scatter of its own from one measurement to the next.
@@ -55,8 +56,8 @@ final class ChangeFinder {
       differences[i] = Math.abs(known[i + 1].value() - known[i].value());
       variances[i] = Math.pow(known[i].error(), 2) + Math.pow(known[i + 1].error(), 2);
     }
-    double spread = NORMAL_MEDIAN * Median.of(differences);
-    return Math.max(0, (spread * spread - Median.of(variances)) / 2);
+    double spread = NORMAL_MEDIAN * StatUtils.percentile(differences, 50);
+    return Math.max(0, (spread * spread - StatUtils.percentile(variances, 50)) / 2);
   }
 
   /**

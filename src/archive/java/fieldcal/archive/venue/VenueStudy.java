@@ -13,6 +13,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import org.apache.commons.math3.stat.StatUtils;
 
 /** One venue: which carpets it had, and when what changed. */
 public final class VenueStudy {
@@ -184,11 +185,12 @@ public final class VenueStudy {
   }
 
   private static double published(List<MatchFacts> matches, String parameter) {
-    return Median.of(
+    double[] known =
         matches.stream()
             .filter(match -> match.published().containsKey(parameter))
             .mapToDouble(match -> match.published().get(parameter))
-            .toArray());
+            .toArray();
+    return StatUtils.percentile(known, 50);
   }
 
   /** What changed at a cut: a jump between the lines on either side, or else their slopes; empty when neither is significant. */

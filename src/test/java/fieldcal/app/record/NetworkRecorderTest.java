@@ -282,11 +282,9 @@ class NetworkRecorderTest {
     assertThat(file).hasContent("precious");
   }
 
-  /** Some software publishes its geometry also where no camera runs. */
-  @Test
-  void geometryAloneOverwritesNothing() throws Exception {
+  /** Records in place of a file while one packet is sent again and again. */
+  private Answer overwriting(Path file, double seconds, byte[] packet) throws Exception {
     int port = freePort();
-    Path file = Files.writeString(folder.resolve("old.log"), "precious");
     try (LoopbackSender vision = new LoopbackSender(port)) {
       CompletableFuture<Answer> answer =
           CompletableFuture.supplyAsync(
@@ -294,37 +292,30 @@ class NetworkRecorderTest {
                   run(
                       "--out=" + file,
                       "--multicast=" + LoopbackSender.GROUP + ":" + port,
-                      "--seconds=0.5",
+                      "--seconds=" + seconds,
                       "--overwrite"));
       while (!answer.isDone()) {
-        vision.send(geometry());
+        vision.send(packet);
         Thread.sleep(10);
       }
-      assertThat(answer.get().err).contains("old.log is as it was");
+      return answer.get();
     }
+  }
+
+  /** Some software publishes its geometry also where no camera runs. */
+  @Test
+  void geometryAloneOverwritesNothing() throws Exception {
+    Path file = Files.writeString(folder.resolve("old.log"), "precious");
+    assertThat(overwriting(file, 0.5, geometry()).err).contains("old.log is as it was");
     assertThat(file).hasContent("precious");
   }
 
   @Test
   void anOverwrittenFileIsARecordingAfterwards() throws Exception {
-    int port = freePort();
     Path file = Files.writeString(folder.resolve("old.log"), "worthless");
-    try (LoopbackSender vision = new LoopbackSender(port)) {
-      CompletableFuture<Answer> answer =
-          CompletableFuture.supplyAsync(
-              () ->
-                  run(
-                      "--out=" + file,
-                      "--multicast=" + LoopbackSender.GROUP + ":" + port,
-                      "--seconds=1.5",
-                      "--overwrite"));
-      while (!answer.isDone()) {
-        vision.send(frame(1));
-        Thread.sleep(20);
-      }
-      assertThat(answer.get().exit).as(answer.get().err).isZero();
-      assertThat(answer.get().out).contains("frames of camera 1");
-    }
+    Answer answer = overwriting(file, 1.5, frame(1));
+    assertThat(answer.exit).as(answer.err).isZero();
+    assertThat(answer.out).contains("frames of camera 1");
     try (GameLogReader log = GameLogReader.open(file)) {
       assertThat(log.next()).isTrue();
     }
