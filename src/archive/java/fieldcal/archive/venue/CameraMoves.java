@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.OptionalInt;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.util.CombinatoricsUtils;
 
 /**
  * Finds cameras that report everything elsewhere from some match on, among matches with the same calibrations.
@@ -55,6 +56,9 @@ final class CameraMoves {
       return length() > SMALLEST_MOVE && sigmas > CERTAIN;
     }
   }
+
+  /** Which cameras may have moved, and the chi-square that is left if the others did not. */
+  private record Explanation(List<Jump> moved, List<Jump> others, double disagreement) {}
 
   private final List<MatchFacts> matches;
   private final double[] days;
@@ -188,39 +192,40 @@ final class CameraMoves {
       return;
     }
     for (int size = 1; 2 * size < n; size++) {
-      int moved = size;
-      List<Integer> sets =
-          IntStream.range(0, 1 << n)
-              .filter(set -> Integer.bitCount(set) == moved)
-              .boxed()
-              .sorted(Comparator.comparingDouble(set -> disagreement(of(jumps, ~set))))
-              .toList();
-      List<Jump> others = of(jumps, ~sets.get(0));
-      if (!agree(others)) {
-        continue;
+      List<Explanation> all = explanations(jumps, size);
+      Explanation best = all.get(0);
+      if (agree(best.others)) {
+        double limit = best.disagreement + CLEARLY_WORSE;
+        List<Explanation> likely = all.stream().filter(e -> e.disagreement <= limit).toList();
+        if (likely.size() == 1) {
+          best.moved.forEach(jump -> name(shift(jump, best.others), last, next));
+        } else {
+          List<Jump> possible =
+              jumps.stream()
+                  .filter(jump -> likely.stream().anyMatch(e -> e.moved.contains(jump)))
+                  .toList();
+          nameOneOf(possible, jumps, last, next);
+        }
+        return;
       }
-      double limit = disagreement(others) + CLEARLY_WORSE;
-      int possible = 0;
-      for (int set : sets) {
-        possible |= disagreement(of(jumps, ~set)) <= limit ? set : 0;
-      }
-      if (possible == sets.get(0)) {
-        of(jumps, possible).forEach(jump -> name(shift(jump, others), last, next));
-      } else {
-        nameOneOf(of(jumps, possible), jumps, last, next);
-      }
-      return;
     }
     List<Jump> differing =
         jumps.stream().filter(jump -> shift(jump, without(jumps, jump)).isCertain()).toList();
-    nameOneOf(differing, jumps, last, next);
+    nameOneOf(differing.size() > 1 ? differing : jumps, jumps, last, next);
   }
 
-  private static List<Jump> of(List<Jump> jumps, int set) {
-    return IntStream.range(0, jumps.size())
-        .filter(i -> (set & 1 << i) != 0)
-        .mapToObj(jumps::get)
-        .toList();
+  /** All choices of so many cameras that moved, the one first that leaves the others most in agreement. */
+  private static List<Explanation> explanations(List<Jump> jumps, int size) {
+    List<Explanation> all = new ArrayList<>();
+    CombinatoricsUtils.combinationsIterator(jumps.size(), size)
+        .forEachRemaining(
+            chosen -> {
+              List<Jump> moved = Arrays.stream(chosen).mapToObj(jumps::get).toList();
+              List<Jump> others = jumps.stream().filter(jump -> !moved.contains(jump)).toList();
+              all.add(new Explanation(moved, others, disagreement(others)));
+            });
+    all.sort(Comparator.comparingDouble(Explanation::disagreement));
+    return all;
   }
 
   private static List<Jump> without(List<Jump> jumps, Jump jump) {
